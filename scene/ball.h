@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Balls.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+namespace gnomon::scene {
+
+/// The closed ball of all points at distance <= radius from the centre; radius 0 is a point.
+template <class F>
+struct Ball {
+  std::array<F, 3> centre{};
+  F radius{};
+
+  friend bool operator==(const Ball&, const Ball&) = default;
+};
+
+/// True when all four numbers are finite and radius >= 0.
+template <class F>
+[[nodiscard]] bool is_valid(const Ball<F>& ball) {
+  return std::isfinite(ball.centre[0]) && std::isfinite(ball.centre[1]) && std::isfinite(ball.centre[2]) &&
+         std::isfinite(ball.radius) && ball.radius >= F(0);
+}
+
+}  // namespace gnomon::scene
