@@ -9,8 +9,8 @@ namespace gnomon::scene {
 
 /// The closed axis-aligned box [lo, hi]; flat boxes and points are boxes too.
 ///
-/// The six coordinates lie in one array, lo.x lo.y lo.z hi.x hi.y hi.z, so that a plane can name the corner that
-/// it needs by stored offsets, as Haines and Wallace do ("Shaft Cull Testing"): far = (near + 3) mod 6.
+/// The six coordinates lie in one array, lo.x lo.y lo.z hi.x hi.y hi.z, so that a plane can name the corner
+/// that it needs by stored offsets, as Haines and Wallace do ("Shaft Cull Testing"): far = (near + 3) mod 6.
 template <class F>
 struct Box {
   std::array<F, 6> c{};
@@ -27,7 +27,8 @@ struct Box {
 template <class F>
 [[nodiscard]] bool is_valid(const Box<F>& box) {
   for (int axis = 0; axis < 3; ++axis) {
-    if (!std::isfinite(box.lo(axis)) || !std::isfinite(box.hi(axis)) || !(box.lo(axis) <= box.hi(axis))) return false;
+    if (!std::isfinite(box.lo(axis)) || !std::isfinite(box.hi(axis)) || !(box.lo(axis) <= box.hi(axis)))
+      return false;
   }
   return true;
 }

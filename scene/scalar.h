@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// The two floating-point formats that cases and methods use.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+
+namespace gnomon::scene {
+
+enum class Scalar : std::uint8_t { f32, f64 };
+
+[[nodiscard]] constexpr std::string_view name_of(Scalar scalar) {
+  return scalar == Scalar::f32 ? "f32" : "f64";
+}
+
+/// True when `value` is a float: converting it there and back changes nothing (NaN: false).
+[[nodiscard]] inline bool is_float(double value) {
+  // A double beyond the largest float must not be converted: that would be undefined where it rounds to no
+  // float.
+  if (!(std::fabs(value) <= static_cast<double>(std::numeric_limits<float>::max()))) return std::isinf(value);
+  return static_cast<double>(static_cast<float>(value)) == value;
+}
+
+/// The distance from |value| to the next larger number of the format (the ulp of design rules: one for each
+/// binade; that of denormals below the smallest normal number).
+[[nodiscard]] inline double ulp_of(double value, Scalar scalar) {
+  const double magnitude = std::fabs(value);
+  if (scalar == Scalar::f32) {
+    const float f = static_cast<float>(magnitude);
+    return static_cast<double>(std::nextafter(f, std::numeric_limits<float>::infinity())) -
+           static_cast<double>(f);
+  }
+  return std::nextafter(magnitude, std::numeric_limits<double>::infinity()) - magnitude;
+}
+
+}  // namespace gnomon::scene
