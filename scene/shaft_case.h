@@ -7,20 +7,26 @@
 
 namespace gnomon::scene {
 
-/// One instance of `shaft-box`: the box `t` against the convex hull of `a` and `b`. Every finite double is in
-/// the domain; single-precision cases are held as the doubles that they are.
-struct ShaftBoxCase {
-  Box<double> a, b, t;
+/// One instance of `shaft-box`: the box `t` against the convex hull of `a` and `b`. Every finite number of the format
+/// is in the domain.
+template <class F>
+struct ShaftBoxCaseOf {
+  Box<F> a, b, t;
 
-  friend bool operator==(const ShaftBoxCase&, const ShaftBoxCase&) = default;
+  friend bool operator==(const ShaftBoxCaseOf&, const ShaftBoxCaseOf&) = default;
 };
 
 /// One instance of `shaft-sphere`: the ball `t` against the convex hull of `a` and `b`.
-struct ShaftBallCase {
-  Box<double> a, b;
-  Ball<double> t;
+template <class F>
+struct ShaftBallCaseOf {
+  Box<F> a, b;
+  Ball<F> t;
 
-  friend bool operator==(const ShaftBallCase&, const ShaftBallCase&) = default;
+  friend bool operator==(const ShaftBallCaseOf&, const ShaftBallCaseOf&) = default;
 };
+
+/// The form that references, files and witnesses use: a single-precision case is held as the doubles that it is.
+using ShaftBoxCase = ShaftBoxCaseOf<double>;
+using ShaftBallCase = ShaftBallCaseOf<double>;
 
 }  // namespace gnomon::scene
