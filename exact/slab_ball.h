@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/container/small_vector.hpp>
 #include <cstddef>
 
 #include "exact/number.h"
@@ -38,16 +39,15 @@ class DistanceOverS {
 
   /// A minimiser in [0, 1]. Exact for rationals; for doubles about where it is.
   [[nodiscard]] FT minimiser() const {
-    std::array<FT, 8> kinks{FT(0), FT(1)};
-    std::size_t count = 2;
+    boost::container::small_vector<FT, 8> kinks{FT(0), FT(1)};
     for (std::size_t i = 0; i < 6; ++i) {
       if (q_[i] == FT(0)) continue;
       const FT s = -p_[i] / q_[i];
-      if (s > FT(0) && s < FT(1)) kinks[count++] = s;
+      if (s > FT(0) && s < FT(1)) kinks.push_back(s);
     }
-    std::sort(kinks.begin(), kinks.begin() + static_cast<std::ptrdiff_t>(count));
+    std::sort(kinks.begin(), kinks.end());
     // The slope rises with s: the first piece that does not fall any more at its right end holds the minimum.
-    for (std::size_t piece = 0; piece + 1 < count; ++piece) {
+    for (std::size_t piece = 0; piece + 1 < kinks.size(); ++piece) {
       const FT& left = kinks[piece];
       const FT& right = kinks[piece + 1];
       const FT middle = (left + right) / FT(2);
