@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/html_report.h"
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "reports/assets.h"
+#include "reports/html_sections.h"
+#include "reports/result_reader.h"
+#include "scene/atomic_file.h"
+
+namespace gnomon::reports {
+namespace {
+
+/// A component without its pointer to a source map, which a browser's tools would go and look for.
+std::string without_source_map(std::string_view script) {
+  const auto at = script.rfind("//# sourceMappingURL=");
+  return std::string(script.substr(0, at));
+}
+
+std::string scripts() {
+  std::string out =
+      "<script>\n/* Vega, BSD-3-Clause; licences at the foot of the page */\nvar vega = (function () {\n";
+  out += asset("amd.js");
+  for (const std::string_view name : vega_modules()) {
+    out += fmt::format("current = \"{}\";\n{}\n", name, without_source_map(asset(name)));
+  }
+  out += "return modules;\n})();\n</script>\n";
+  out += fmt::format("<script>\n{}</script>\n<script>\n{}</script>\n", asset("plot.js"), asset("report.js"));
+  return out;
+}
+
+std::string page(std::span<const ResultFile> files) {
+  const std::string plot = plot_section(files);
+  std::string out =
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
+      "content=\"width=device-width, initial-scale=1\">\n<meta name=\"color-scheme\" content=\"light "
+      "dark\">\n"
+      "<title>gnomon report</title>\n<link rel=\"icon\" href=\"data:,\">\n";
+  out += fmt::format("<style>\n{}</style>\n</head>\n<body>\n<main>\n", asset("report.css"));
+  out += verdict_section(files) + plot + rows_section(files) + error_sources_section(files) +
+         mix_section(files) + witness_section(files) + other_results_section(files) + foot_section(files);
+  out += "</main>\n" + scripts() + "</body>\n</html>\n";
+  return out;
+}
+
+}  // namespace
+
+void write_html_report(const std::filesystem::path& dir, const std::filesystem::path& out) {
+  scene::write_whole_file(out, page(read_result_folder(dir)));
+}
+
+}  // namespace gnomon::reports

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The parts of the page, in its order; each is a complete HTML fragment and needs no script to be read.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "reports/result_set.h"
+
+namespace gnomon::reports {
+
+/// What this is, whether the promises held, and a sentence on every method.
+[[nodiscard]] std::string verdict_section(std::span<const ResultFile> files);
+
+/// Speed against error as still pictures, and their numbers as JSON for the plot with controls.
+[[nodiscard]] std::string plot_section(std::span<const ResultFile> files);
+
+/// Every row with counts, rates, intervals and times.
+[[nodiscard]] std::string rows_section(std::span<const ResultFile> files);
+
+/// Rounding against model error, and the full matrices of truth and answer.
+[[nodiscard]] std::string error_sources_section(std::span<const ResultFile> files);
+
+/// What each distribution asks: the shares of the exact answers and of touching cases.
+[[nodiscard]] std::string mix_section(std::span<const ResultFile> files);
+
+/// The worst witness of each method and verdict with a picture, the others as a list.
+[[nodiscard]] std::string witness_section(std::span<const ResultFile> files);
+
+/// Results of kinds other than "fuzz" as plain tables; empty when there are none.
+[[nodiscard]] std::string other_results_section(std::span<const ResultFile> files);
+
+/// Command lines, seeds, environments and licences.
+[[nodiscard]] std::string foot_section(std::span<const ResultFile> files);
+
+}  // namespace gnomon::reports
