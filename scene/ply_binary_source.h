@@ -72,10 +72,7 @@ class PlyBinarySource {
   const char* take(PlyScalar type) {
     start_ = reader_.offset();
     const char* const bytes = reader_.take(ply_scalar_info(type).bytes);
-    if (bytes == nullptr) {
-      fail(element_->name + " " + std::to_string(item_ + 1) + " of " + std::to_string(element_->count),
-           kEndOfFile);
-    }
+    if (bytes == nullptr) fail(ply_item(*element_, item_), kEndOfFile);
     return bytes;
   }
 

@@ -136,6 +136,10 @@ class HeaderReader {
 
 }  // namespace
 
+std::string ply_item(const PlyElement& element, std::uint64_t i) {
+  return in_quotes(element.name) + " " + std::to_string(i + 1) + " of " + std::to_string(element.count);
+}
+
 PlyHeader read_ply_header(LineReader& reader) {
   return HeaderReader(reader).read();
 }

@@ -86,6 +86,9 @@ struct PlyHeader {
   std::vector<PlyElement> elements;
 };
 
+/// How complaints call item i (from 0) of an element: "'vertex' 3 of 8".
+[[nodiscard]] std::string ply_item(const PlyElement& element, std::uint64_t i);
+
 /// Reads the lines from "ply" to "end_header"; the reader is then at the first byte of the body. Throws
 /// InputError for a header that is not PLY 1.0, has two elements, or one element two properties, of the same
 /// name, or a type that the format doesn't know. Counts are at most 2^63 - 1.

@@ -25,8 +25,7 @@ class PlyTextSource {
       words_ = Tokens(*line);
       if (!words_.done()) return;
     }
-    reader_.fail(element.name + " " + std::to_string(i + 1) + " of " + std::to_string(element.count),
-                 kEndOfFile);
+    reader_.fail(ply_item(element, i), kEndOfFile);
   }
 
   /// The next value as its declared type holds it; throws InputError unless it is finite.

@@ -135,9 +135,14 @@ TEST(ReadPly, NamesLineAndFaultOfBadText) {
        "m:9: expected a list of integers vertex_index, found a single value"},
       {vertex + "element face 1\nproperty list int float vertex_index\nend_header\n",
        "m:9: expected a list of integers vertex_index, found a list of reals"},
-      {ascii, "m:9: expected vertex 1 of 3, found the end of the file"},
-      {ascii + "0 0 0\n1 0 0\n", "m:11: expected vertex 3 of 3, found the end of the file"},
-      {ascii + "0 0 0\n1 0 0\n0 1 0\n", "m:12: expected face 1 of 1, found the end of the file"},
+      {ascii, "m:9: expected 'vertex' 1 of 3, found the end of the file"},
+      {ascii + "0 0 0\n1 0 0\n", "m:11: expected 'vertex' 3 of 3, found the end of the file"},
+      {ascii + "0 0 0\n1 0 0\n0 1 0\n", "m:12: expected 'face' 1 of 1, found the end of the file"},
+      {vertex +
+           "element face 1\nproperty list int int vertex_index\nelement \x01\x7f 2\nproperty int "
+           "a\nend_header\n" +
+           kAsciiBody,
+       "m:15: expected '\\x01\\x7f' 1 of 2, found the end of the file"},
       {ascii + "0 nan 0\n", "m:10: expected a finite number for y, found 'nan'"},
       {ascii + "0 0 inf\n", "m:10: expected a finite number for z, found 'inf'"},
       {ascii + "1e309 0 0\n", "m:10: expected a finite number for x, found '1e309'"},
@@ -163,11 +168,11 @@ TEST(ReadPly, NamesByteAndFaultOfBadBytes) {
     return " at byte " + std::to_string(head.size() + static_cast<std::size_t>(byte));
   };
   const std::pair<std::string, std::string> cases[] = {
-      {"", "m: expected vertex 1 of 3, found the end of the file" + at(0)},
-      {points.substr(0, 70), "m: expected vertex 3 of 3, found the end of the file" + at(64)},
-      {points, "m: expected face 1 of 1, found the end of the file" + at(72)},
+      {"", "m: expected 'vertex' 1 of 3, found the end of the file" + at(0)},
+      {points.substr(0, 70), "m: expected 'vertex' 3 of 3, found the end of the file" + at(64)},
+      {points, "m: expected 'face' 1 of 1, found the end of the file" + at(72)},
       {points + bytes(le, std::uint8_t{3}, 0, 1),
-       "m: expected face 1 of 1, found the end of the file" + at(81)},
+       "m: expected 'face' 1 of 1, found the end of the file" + at(81)},
       {points + bytes(le, std::uint8_t{2}, 0, 1),
        "m: expected a face of at least 3 corners, found 2" + at(72)},
       {points + bytes(le, std::uint8_t{3}, 0, 1, 3),
@@ -252,6 +257,7 @@ TEST(ReadStl, NamesLineAndFaultOfBadText) {
   const std::pair<std::string, std::string> cases[] = {
       {"", neither + "0 bytes"},
       {"sol", neither + "3 bytes"},
+      {std::string("solid\n\0", 7), neither + "7 bytes"},
       {"solid\n", "m:1: expected facet or endsolid, found the end of the file"},
       {"solid\nendsolid\n", "m:2: expected at least one face, found the end of the file"},
       {"solid\n" + kFacet, "m:8: expected facet or endsolid, found the end of the file"},
