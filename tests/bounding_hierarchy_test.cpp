@@ -187,7 +187,7 @@ TYPED_TEST(BoundingHierarchyOf, SplitsAtTheMedianOfTheWidestAxis) {
   check(mesh, tree);
 }
 
-TYPED_TEST(BoundingHierarchyOf, EndsWhenAllCentresAreEqual) {
+TYPED_TEST(BoundingHierarchyOf, EndsWhenAllCentresAreEqualAndThenSplitsByFaceNumber) {
   Mesh points;
   Mesh equal;
   for (int f = 0; f < 1000; ++f) {
@@ -195,7 +195,9 @@ TYPED_TEST(BoundingHierarchyOf, EndsWhenAllCentresAreEqual) {
     add_face(equal, {{-1.0 * f, 0, 0}, {1.0 * f, 0, 0}, {0, 0, 0}});
   }
   check(points, BoundingHierarchy<TypeParam>(points));
-  check(equal, BoundingHierarchy<TypeParam>(equal));
+  const BoundingHierarchy<TypeParam> tree(equal);
+  check(equal, tree);
+  EXPECT_TRUE(std::ranges::is_sorted(tree.faces(tree.node(0))));
 }
 
 TYPED_TEST(BoundingHierarchyOf, RefusesWhatItCanNotHold) {

@@ -63,6 +63,19 @@ TEST(ReadOff, RoundsEachNumberOnceToNearest) {
   EXPECT_EQ(mesh.points[2][2], 0.0);
 }
 
+TEST(ReadOff, TellsOverflowFromUnderflowWhateverTheExponentSays) {
+  const std::string zeros(400, '0');
+  const std::string rest = " 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  EXPECT_EQ(read(read_off, "OFF 3 1\n0." + zeros + "1e50" + rest), kTriangle);
+  EXPECT_EQ(read(read_off, "OFF 3 1\n-0." + zeros + "1" + rest), kTriangle);
+  for (const std::string& word :
+       {"1" + zeros, "1" + zeros + "e-50", "1" + zeros + "." + zeros, std::string(".1e+310")}) {
+    EXPECT_EQ(complaint(read_off, "OFF 3 1\n" + word + rest),
+              "m:2: expected a finite number for x, found '" +
+                  (word.size() > 40 ? word.substr(0, 40) + "..." : word) + "'");
+  }
+}
+
 TEST(ReadOff, TakesAFaceOf100000CornersAndRefusesALongerLineThanTheCap) {
   std::string text = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n100000";
   for (int i = 0; i < 100'000; ++i) text += " 00000002";
@@ -163,6 +176,9 @@ TEST(ReadObj, NamesLineAndFaultOfBadInput) {
        "m:4: expected a vertex index other than 0 and not below -3, found '4294967296'"},
       {points + "f 1 2 4\nf 1 2 5\nf 1 2 3\nv 0 0 0\n",
        "m:7: expected vertex 5, which the face on line 5 has as a corner, found only 4 vertices"},
+      {points + "f 1 2 4\n",
+       "m:4: expected vertex 4, which the face on line 4 has as a corner, found only 3 vertices"},
+      {points + "f 1 2 3 \\# no end\nf 1 2 3\n", "m:4: " + corner + "'\\'"},
       {points + "f 1 2 x\n", "m:4: " + corner + "'x'"},
       {points + "f 1 2 3.5\n", "m:4: " + corner + "'3.5'"},
       {points + "f 1 2 3/\n", "m:4: " + corner + "'3/'"},
