@@ -185,6 +185,16 @@ TEST(ReadPly, NamesByteAndFaultOfBadBytes) {
       {bytes(le, 0., 0., HUGE_VAL), "m: expected a finite number for z, found inf" + at(16)},
   };
   for (const auto& [body, expected] : cases) EXPECT_EQ(complaint(read_ply, head + body), expected);
+  // A claim of 4 billion items, corners or list values must not be believed before they are there.
+  std::string claims = ply_header("binary_big_endian", 2000000000, 2000000000);
+  claims.replace(claims.find("uchar"), 5, "uint");
+  EXPECT_EQ(complaint(read_ply, claims),
+            "m: expected 'vertex' 1 of 2000000000, found the end of the file at byte " +
+                std::to_string(claims.size()));
+  claims.replace(claims.find("2000000000"), 10, "1");
+  EXPECT_EQ(complaint(read_ply, claims + bytes(std::endian::big, 0., 0., 0., 4294967295u, 0)),
+            "m: expected 'face' 1 of 2000000000, found the end of the file at byte " +
+                std::to_string(claims.size() + 32));
   std::string list = ply_header("binary_big_endian");
   list.replace(list.find("property double x"), 17, "property list char int l\nproperty double x");
   EXPECT_EQ(complaint(read_ply, list + "\xff"),
