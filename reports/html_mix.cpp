@@ -71,13 +71,13 @@ std::string mix_section(std::span<const ResultFile> files) {
   if (mixes.empty()) return "";
   std::string out =
       "<section id=\"mix\"><h2>What was asked</h2>\n<p>The share of each exact answer by distribution. "
-      "<i>Touching</i>: the answer changes under arbitrarily small moves.</p>\n";
+      "<i>Touching</i>: the answer changes under arbitrarily small moves.</p>\n<div class=\"beside\">\n";
   std::string open;
   std::vector<std::string> truths;
   for (const auto& [key, mix] : mixes) {
     const auto& [question, distribution, scalar] = key;
     if (question != open) {
-      if (!open.empty()) out += "</tbody></table></div>\n";
+      if (!open.empty()) out += "</tbody></table></div></div>\n";
       open = question;
       Matrix all;
       for (const auto& [other, m] : mixes) {
@@ -86,7 +86,7 @@ std::string mix_section(std::span<const ResultFile> files) {
       }
       truths = answers_of(all);
       out += fmt::format(
-          "<h3><code>{}</code></h3>\n<div class=\"scroll\"><table class=\"mix\"><thead><tr><th "
+          "<div><h3><code>{}</code></h3>\n<div class=\"scroll\"><table class=\"mix\"><thead><tr><th "
           "scope=\"col\">Distribution</th><th scope=\"col\">Scalar</th><td></td>",
           escaped(question));
       for (std::size_t i = 0; i < truths.size(); ++i) {
@@ -107,7 +107,7 @@ std::string mix_section(std::span<const ResultFile> files) {
         fmt::format("<td class=\"num{}\">{}</td><td class=\"num\">{}</td></tr>\n",
                     mix.touching == 0 ? " quiet" : "", share(mix.touching, mix.total), thousands(mix.total));
   }
-  return out + "</tbody></table></div></section>\n";
+  return out + "</tbody></table></div></div></div></section>\n";
 }
 
 }  // namespace gnomon::reports

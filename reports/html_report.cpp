@@ -32,15 +32,15 @@ std::string scripts() {
 }
 
 std::string page(std::span<const ResultFile> files) {
-  const std::string plot = plot_section(files);
   std::string out =
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
       "content=\"width=device-width, initial-scale=1\">\n<meta name=\"color-scheme\" content=\"light "
       "dark\">\n"
       "<title>gnomon report</title>\n<link rel=\"icon\" href=\"data:,\">\n";
   out += fmt::format("<style>\n{}</style>\n</head>\n<body>\n<main>\n", asset("report.css"));
-  out += verdict_section(files) + plot + rows_section(files) + error_sources_section(files) +
-         mix_section(files) + witness_section(files) + other_results_section(files) + foot_section(files);
+  out += verdict_section(files) + plot_section(files) + methods_section(files) + rows_section(files) +
+         error_sources_section(files) + mix_section(files) + witness_section(files) +
+         other_results_section(files) + foot_section(files);
   out += "</main>\n" + scripts() + "</body>\n</html>\n";
   return out;
 }

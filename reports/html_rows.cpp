@@ -19,7 +19,7 @@ std::string count_cell(std::uint64_t n) {
 /// Count of chances, and below it the rate with its interval; zeros carry their bound already.
 std::string share_cell(const Share& share, const char* look) {
   if (share.n == 0) return number_cell(-1, "none asked", "num quiet");
-  std::string text = share_text(share);
+  std::string text = share_html(share);
   if (share.k > 0) {
     text += fmt::format("<small>{} [{}, {}]</small>", rate_text(share.rate.value),
                         rate_text(share.rate.low95), rate_text(share.rate.high95));
@@ -57,30 +57,31 @@ std::string row_html(const ResultRow& row, const std::string& file, bool several
                                                 : "none");
   out += fmt::format("<th scope=\"row\"><span class=\"dot t-{}\"></span>{}<small>{}</small></th>",
                      escaped(s.tier), escaped(row.method), escaped(row.promise));
-  out += fmt::format("<td>{}</td><td>{}</td><td>{}</td>", escaped(row.question), escaped(row.distribution),
-                     escaped(row.scalar));
-  out += count_cell(row.trials) + touching_cell(row);
+  out += fmt::format("<td>{}</td><td>{}</td>", escaped(row.question), escaped(row.distribution));
   out += share_cell(s.culls, "num bad") + share_cell(s.insides, "num bad") + share_cell(s.wasted, "num warn");
-  out += count_cell(row.unsound_touching) + count_cell(row.undecided) + count_cell(row.rejected);
-  out += count_cell(row.threshold_exceeded) + gap_cell(row);
   out += number_cell(row.ns.value_or(-1), time_text(row.ns));
   out += number_cell(row.reference_ns.value_or(-1), time_text(row.reference_ns));
+  out += gap_cell(row) + count_cell(row.trials) + touching_cell(row);
+  out += count_cell(row.unsound_touching) + count_cell(row.undecided) + count_cell(row.rejected);
+  out += count_cell(row.threshold_exceeded) + fmt::format("<td>{}</td>", escaped(row.scalar));
   if (several_files) out += fmt::format("<td>{}</td>", escaped(file));
   return out + "</tr>\n";
 }
 
 constexpr const char* kHead = R"(<thead><tr><th scope="col">Method</th><th scope="col">Question</th>
-<th scope="col">Distribution</th><th scope="col">Scalar</th><th scope="col">Trials</th>
-<th scope="col" title="the answer changes under arbitrarily small moves">Touching</th>
+<th scope="col">Distribution</th>
 <th scope="col" title="said outside of what is not">False culls</th>
 <th scope="col" title="said inside of what is not">False insides</th>
 <th scope="col" title="kept though exactly outside">Waste</th>
+<th scope="col">Time</th><th scope="col" title="the exact reference on the same cases">Reference</th>
+<th scope="col" title="how far the worst wrong answer is from the decision boundary">Worst gap</th>
+<th scope="col">Trials</th>
+<th scope="col" title="the answer changes under arbitrarily small moves">Touching</th>
 <th scope="col" title="unsound answers among touching cases">Unsound, touching</th>
 <th scope="col" title="the method said that it can't tell">Undecided</th>
 <th scope="col" title="outside the method's stated domain">Rejected</th>
 <th scope="col" title="waste beyond the exact twin's, farther from the boundary than the method's stated threshold">Over threshold</th>
-<th scope="col" title="how far the worst wrong answer is from the decision boundary">Worst gap</th>
-<th scope="col">Time</th><th scope="col" title="the exact reference on the same cases">Reference</th>)";
+<th scope="col">Scalar</th>)";
 
 }  // namespace
 
@@ -92,7 +93,7 @@ std::string rows_section(std::span<const ResultFile> files) {
   out +=
       "<p>Counts of chances, then the rate with its 95 % interval. A zero is given with its upper "
       "bound.</p>\n";
-  out += "<div id=\"row-filters\" hidden></div>\n<div class=\"scroll\"><table class=\"rows\">";
+  out += "<div id=\"row-filters\" hidden></div>\n<div class=\"scroll tall\"><table class=\"rows\">";
   out += kHead;
   out += fuzz_files > 1 ? "<th scope=\"col\">File</th></tr></thead><tbody>\n" : "</tr></thead><tbody>\n";
   for (const ResultFile& file : files) {

@@ -9,11 +9,14 @@
 
 namespace gnomon::reports {
 
-/// What this is, whether the promises held, and a sentence on every method.
+/// What this is, whether the promises held, and each question's answer in a few sentences.
 [[nodiscard]] std::string verdict_section(std::span<const ResultFile> files);
 
 /// Speed against error as still pictures, and their numbers as JSON for the plot with controls.
 [[nodiscard]] std::string plot_section(std::span<const ResultFile> files);
+
+/// A verdict, its reasons and the time for every method, all distributions together.
+[[nodiscard]] std::string methods_section(std::span<const ResultFile> files);
 
 /// Every row with counts, rates, intervals and times.
 [[nodiscard]] std::string rows_section(std::span<const ResultFile> files);

@@ -95,8 +95,8 @@ std::string error_sources_section(std::span<const ResultFile> files) {
     const auto last =
         std::find_if(first, pooled.end(), [&](const Summary& s) { return s.question != first->question; });
     const std::span<const Summary> question(first, last);
-    out += fmt::format("<h3><code>{}</code></h3>\n", escaped(first->question)) + split_table(question) +
-           matrix_table(question);
+    out += fmt::format("<h3><code>{}</code></h3>\n", escaped(first->question)) + "<div class=\"beside\">\n" +
+           split_table(question) + matrix_table(question) + "</div>\n";
     first = last;
   }
   return out + "</section>\n";

@@ -118,6 +118,10 @@ std::string share_text(const Share& share) {
   return fmt::format("{} of {}", thousands(share.k), thousands(share.n));
 }
 
+std::string share_html(const Share& share) {
+  return "<span class=\"nowrap\">" + escaped(share_text(share)) + "</span>";
+}
+
 std::string time_text(std::optional<double> ns) {
   if (!ns) return "–";
   if (*ns < 1000) return fmt::format("{:.3g} ns", *ns);

@@ -30,6 +30,9 @@ namespace gnomon::reports {
 /// "0 of 66,123 (< 5.6e-5)", "204 of 66,123", or "none asked" for n = 0.
 [[nodiscard]] std::string share_text(const Share& share);
 
+/// The same as HTML that does not break across lines.
+[[nodiscard]] std::string share_html(const Share& share);
+
 /// "12.5 ns", "1.24 µs", or a dash for a time that was not measured.
 [[nodiscard]] std::string time_text(std::optional<double> ns);
 

@@ -9,77 +9,6 @@
 namespace gnomon::reports {
 namespace {
 
-/// The word that a method gets, and its colour class.
-struct Word {
-  const char* word;
-  const char* look;
-};
-
-bool lies(const Summary& s) {
-  return s.culls.k > 0 || s.insides.k > 0 || s.unsound > 0;
-}
-
-Word word_for(const Summary& s) {
-  if (s.promise_broken) return {"PROMISE BROKEN", "bad"};
-  if (lies(s)) return {"LIES", "bad"};
-  if (s.wasted.n > 0 && s.wasted.k == s.wasted.n) return {"KEEPS ALL", "idle"};
-  if (s.tier == "exact" && s.waste == 0) return {"AGREES", "good"};
-  if (s.tier == "naive") return {"NOT CAUGHT", "good"};
-  return {"SAFE", "good"};
-}
-
-/// "1.2 % (34 of 2,800)" or "0 of 2,800 (< 1.3e-3)".
-std::string spelled(const Share& share) {
-  if (share.k == 0) return share_text(share);
-  return fmt::format("<b>{}</b> ({})", rate_text(share.rate.value), share_text(share));
-}
-
-/// The distribution where `share` is worst, as " (worst on NAME: 3 %)"; empty when there is only one.
-std::string worst_on(const Summary& pooled, std::span<const Summary> apart, Share Summary::*share) {
-  const Summary* worst = nullptr;
-  std::size_t seen = 0;
-  for (const Summary& s : apart) {
-    if (s.question != pooled.question || s.method != pooled.method || s.scalar != pooled.scalar) continue;
-    ++seen;
-    if ((s.*share).k > 0 && (!worst || (s.*share).rate.value > (worst->*share).rate.value)) worst = &s;
-  }
-  if (!worst || seen < 2) return "";
-  return fmt::format(", worst on <code>{}</code> with {}", escaped(worst->distribution),
-                     rate_text((worst->*share).rate.value));
-}
-
-std::string sentence(const Summary& s, std::span<const Summary> apart) {
-  const bool shaft = s.matrix.contains("outside");
-  std::string text;
-  if (s.culls.k > 0) {
-    text +=
-        fmt::format("{} {}{}. ", shaft ? "Culls what it should keep:" : "Wrong to the eye:", spelled(s.culls),
-                    worst_on(s, apart, &Summary::culls));
-  } else {
-    text += fmt::format("No {} seen: {}. ", shaft ? "false cull" : "unsound answer", spelled(s.culls));
-  }
-  if (s.insides.k > 0) {
-    text += fmt::format("Says “inside” falsely: {}{}. ", spelled(s.insides),
-                        worst_on(s, apart, &Summary::insides));
-  }
-  if (s.wasted.n > 0) {
-    text += fmt::format("{} {}. ", shaft ? "Keeps what lies outside:" : "Wastes:", spelled(s.wasted));
-  }
-  if (s.undecided > 0) text += fmt::format("Undecided: {}. ", thousands(s.undecided));
-  return text;
-}
-
-std::string speed(const Summary& s) {
-  if (!s.ns) return "";
-  std::string text = time_text(s.ns);
-  if (s.reference_ns && *s.ns > 0) {
-    const double factor = *s.reference_ns / *s.ns;
-    text += factor >= 1 ? fmt::format("<small>{:.3g} × faster than the reference</small>", factor)
-                        : fmt::format("<small>{:.3g} × slower than the reference</small>", 1 / factor);
-  }
-  return text;
-}
-
 std::string promises_line(std::span<const Summary> apart) {
   std::string broken;
   std::uint64_t trials = 0;
@@ -102,6 +31,67 @@ std::string promises_line(std::span<const Summary> apart) {
       thousands(trials), thousands(promises));
 }
 
+std::string named(const Summary& s) {
+  return fmt::format("<b class=\"t-{}\">{}</b>", escaped(s.tier), escaped(s.method));
+}
+
+/// Where a method lies most, as ", 4.6 % on NAME"; empty when it was asked on one distribution only.
+std::string worst_distribution(const Summary& pooled, std::span<const Summary> apart) {
+  const Summary* worst = nullptr;
+  for (const Summary& s : apart) {
+    if (s.question != pooled.question || s.method != pooled.method || s.scalar != pooled.scalar) continue;
+    if (s.culls.k > 0 && (!worst || s.culls.rate.value > worst->culls.rate.value)) worst = &s;
+  }
+  if (!worst || worst->culls.n == pooled.culls.n) return "";
+  return fmt::format(", {} on <code>{}</code>", rate_text(worst->culls.rate.value),
+                     escaped(worst->distribution));
+}
+
+/// The liars in a sentence or two.
+std::string liars_text(std::span<const Summary> methods, std::span<const Summary> apart) {
+  std::string liars;
+  const Summary* worst = nullptr;
+  std::size_t count = 0;
+  for (const Summary& s : methods) {
+    if (!s.lies()) continue;
+    ++count;
+    liars += (liars.empty() ? "" : ", ") + named(s);
+    if (s.culls.k > 0 && (!worst || s.culls.rate.value > worst->culls.rate.value)) worst = &s;
+  }
+  if (count == 0) return fmt::format("None of {} methods was caught lying. ", methods.size());
+  std::string text = fmt::format("<b class=\"bad\">{} of {} methods {}</b>: {}. ", count, methods.size(),
+                                 count == 1 ? "lies" : "lie", liars);
+  if (worst) {
+    text +=
+        fmt::format("Worst: {} is wrong on {} ({}){}. ", named(*worst), rate_text(worst->culls.rate.value),
+                    share_html(worst->culls), worst_distribution(*worst, apart));
+  }
+  return text;
+}
+
+/// The cheapest method that was not caught and is of use, and what exactness costs.
+std::string honest_text(std::span<const Summary> methods) {
+  const Summary *fastest = nullptr, *exact = nullptr;
+  for (const Summary& s : methods) {
+    if (s.lies() || s.promise_broken || s.tier == "trivial" || s.tier == "naive") continue;
+    if (s.ns && (!fastest || *s.ns < *fastest->ns)) fastest = &s;
+    if (s.tier == "exact" && s.ns && (!exact || *s.ns < *exact->ns)) exact = &s;
+  }
+  std::string text;
+  if (fastest) {
+    text += fmt::format("Cheapest that promises and keeps: {} at {}, false culls {}", named(*fastest),
+                        time_text(fastest->ns), share_html(fastest->culls));
+    if (fastest->wasted.n > 0) text += fmt::format("; wastes {}", rate_text(fastest->wasted.rate.value));
+    text += ". ";
+  }
+  if (exact && exact != fastest)
+    text += fmt::format("The whole truth: {} at {}", named(*exact), time_text(exact->ns));
+  if (exact && exact != fastest && exact->reference_ns) {
+    text += fmt::format(" (the plain reference takes {})", time_text(exact->reference_ns));
+  }
+  return text.empty() || text.ends_with(". ") ? text : text + ".";
+}
+
 }  // namespace
 
 std::string verdict_section(std::span<const ResultFile> files) {
@@ -114,34 +104,17 @@ std::string verdict_section(std::span<const ResultFile> files) {
       "the truth "
       "costs.</p></header>\n";
   if (pooled.empty()) return out;
-  out += promises_line(apart);
-  out += "<section id=\"verdicts\"><h2>Verdicts</h2>\n";
-  std::string open;
-  for (const Summary& s : pooled) {
-    if (s.question != open) {
-      if (!open.empty()) out += "</tbody></table>\n";
-      open = s.question;
-      out += fmt::format(
-          "<h3><code>{}</code></h3>\n<table class=\"verdicts\"><thead class=\"unseen\"><tr><th "
-          "scope=\"col\">Method</th><th scope=\"col\">Verdict</th><th scope=\"col\">Why</th><th "
-          "scope=\"col\">Time per case</th></tr></thead><tbody>\n",
-          escaped(s.question));
-    }
-    const Word word = word_for(s);
-    out += fmt::format(
-        "<tr><th scope=\"row\"><span class=\"dot t-{0}\"></span>{1}<small>{0}, promise: {2}</small></th><td "
-        "class=\"word {3}\">{4}</td><td>{5}</td><td class=\"num\">{6}</td></tr>\n",
-        escaped(s.tier), escaped(s.method), escaped(s.promise), word.look, word.word, sentence(s, apart),
-        speed(s));
+  out += promises_line(apart) +
+         "<section id=\"verdicts\"><h2 class=\"unseen\">Verdicts</h2>\n<div class=\"headlines\">\n";
+  for (auto first = pooled.begin(); first != pooled.end();) {
+    const auto last =
+        std::find_if(first, pooled.end(), [&](const Summary& s) { return s.question != first->question; });
+    const std::span<const Summary> methods(first, last);
+    out += fmt::format("<div><h3><code>{}</code></h3><p>{}</p><p>{}</p></div>\n", escaped(first->question),
+                       liars_text(methods, apart), honest_text(methods));
+    first = last;
   }
-  out += "</tbody></table>\n";
-  out +=
-      "<p class=\"note\">Rates are over all distributions together. Most of these are built to be hard, so a "
-      "rate here "
-      "compares methods; it is not the rate to expect in a scene. “&lt;” is the upper end of the two-sided "
-      "95 % "
-      "Clopper-Pearson interval: zero errors seen is not zero errors.</p></section>\n";
-  return out;
+  return out + "</div></section>\n";
 }
 
 }  // namespace gnomon::reports

@@ -94,8 +94,9 @@ std::string witness_section(std::span<const ResultFile> files) {
       "<section id=\"witnesses\"><h2>Worst witnesses</h2>\n<p>The widest miss of each method and verdict, "
       "shrunk. "
       "The large picture is a projection in which the deciding plane is a line; the small one is its "
-      "surroundings at the scale of the floating-point grid. The commands run where the witness files "
-      "are.</p>\n<div class=\"witnesses\">\n";
+      "surroundings at the scale of the floating-point grid (an ulp is that of the case's largest "
+      "coordinate). "
+      "The commands run where the witness files are.</p>\n<div class=\"witnesses\">\n";
   std::set<std::tuple<std::string, std::string, std::string>> shown;
   for (const ResultWitness* w : all) {
     if (shown.size() == kPictures) break;

@@ -12,7 +12,7 @@ namespace gnomon::reports {
 namespace {
 
 constexpr double kGutter = 16;
-constexpr double kWidth = OverviewPicture::kWidth + kGutter + InsetPicture::kSize + 2;
+constexpr double kWidth = OverviewPicture::kWidth + kGutter + InsetPicture::kSize + 6;
 
 /// Class names start with gp- because a style inside an SVG reaches the whole page that it stands in.
 constexpr const char* kStyle = R"(<style>
@@ -40,16 +40,14 @@ struct Text {
 /// What the small picture shows, in words.
 Text verdict(const ShaftCase& shaft, const DecidingView& view) {
   const bool inside = view.decision == Decision::kInside;
-  const char* what = shaft.box ? inside ? "far corner" : "near corner"
-                     : inside  ? "farthest point"
-                               : "nearest point";
-  if (view.sign == 0)
-    return {fmt::format("The {} is exactly on the line.", what), "Touching: closed sets meet."};
+  const char* what = shaft.box ? inside ? "Far corner" : "Near corner"
+                     : inside  ? "Farthest point"
+                               : "Nearest point";
+  if (view.sign == 0) return {fmt::format("{} exactly on the line", what), "touching: closed sets meet"};
   // A gap too small for a double still has its sign.
-  const std::string size =
-      view.gap == 0 ? "less than any double" : fmt::format("{:.4g} ulp", std::abs(view.gap));
-  return {fmt::format("The {} is {}", what, view.sign > 0 ? "outside" : "on the shaft's side"),
-          fmt::format("of the line, exactly; gap {}.", size)};
+  const std::string size = view.gap == 0 ? "below any double" : fmt::format("{:.4g} ulp", std::abs(view.gap));
+  return {fmt::format("{} {}", what, view.sign > 0 ? "outside" : "on the shaft's side"),
+          fmt::format("decided exactly; gap {}", size)};
 }
 
 std::string legend(double x, double y) {
@@ -108,7 +106,7 @@ std::string case_picture_svg(std::string_view question, std::span<const double> 
         "<text class=\"gp-text\" x=\"{0}\" y=\"13\">around the ring</text><text class=\"gp-tick\" x=\"{0}\" "
         "y=\"{1:.0f}\">{2}</text>",
         svg_number(x), InsetPicture::kSize + 40, close.scale);
-    y = InsetPicture::kSize + 64;
+    y = InsetPicture::kSize + 60;
   } else {
     out += fmt::format("<text class=\"gp-text\" x=\"{}\" y=\"40\">Wide enough to be seen as it is.</text>",
                        svg_number(x));
@@ -117,7 +115,7 @@ std::string case_picture_svg(std::string_view question, std::span<const double> 
   out += fmt::format(
       "<text class=\"gp-strong\" x=\"{0}\" y=\"{1}\">{2}</text><text x=\"{0}\" y=\"{3}\">{4}</text>",
       svg_number(x), svg_number(y), text.headline, svg_number(y + 17), text.detail);
-  out += legend(x, y + 42);
+  out += legend(x, y + 41);
   return out + "</svg>";
 }
 

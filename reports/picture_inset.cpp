@@ -77,11 +77,12 @@ std::vector<double> floats_beside(double x, const ShaftCase& shaft, double ulp, 
   return offsets;
 }
 
-std::string grid(const std::vector<double>& across, const std::vector<double>& upward) {
+std::string grid(const std::vector<double>& across, const std::vector<double>& upward, bool dotted) {
   std::string lines, dots;
   for (const double x : across) lines += fmt::format("M{}V{:.0f}", place({x, kCells}), 2 * kHalf);
   for (const double y : upward) lines += fmt::format("M{}H{:.0f}", place({-kCells, y}), 2 * kHalf);
   for (const double x : across) {
+    if (!dotted) break;
     for (const double y : upward) dots += "M" + place({x, y}) + "h0";
   }
   std::string out;
@@ -93,9 +94,10 @@ std::string grid(const std::vector<double>& across, const std::vector<double>& u
 std::string grid_of(const ShaftCase& shaft, const DecidingView& view, double ulp, double cells_per_ulp) {
   std::vector<double> cells;
   for (double k = -kCells; k <= kCells; ++k) cells.push_back(k);
-  if (shaft.ball) return grid(cells, cells);  // the point is not a floating-point number: a plain scale
+  if (shaft.ball)
+    return grid(cells, cells, false);  // the point is not a floating-point number: a plain scale
   return grid(floats_beside(view.corner[0], shaft, ulp, cells_per_ulp),
-              floats_beside(view.corner[1], shaft, ulp, cells_per_ulp));
+              floats_beside(view.corner[1], shaft, ulp, cells_per_ulp), true);
 }
 
 /// T near the corner: a box fills the quadrant behind the corner as far as it reaches, a ball lies behind its
@@ -131,15 +133,15 @@ std::string target(const ShaftCase& shaft, const DecidingView& view, double ulp,
   return fmt::format("<path class=\"gp-t\" d=\"{}\"/>", path_of({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}));
 }
 
-std::string scale_text(int exponent, bool ball, bool grid_seen) {
-  std::string cell = exponent == 0                   ? "1 ulp"
-                     : exponent > 0 && exponent < 14 ? fmt::format("{} ulp", 1 << exponent)
-                                                     : fmt::format("{:.3g} ulp", std::ldexp(1.0, exponent));
-  if (ball) return fmt::format("one square: {} of the largest coordinate", cell);
-  const std::string width =
-      exponent == 0 ? "8 ulp" : fmt::format("{:.3g} ulp", std::ldexp(2 * kCells, exponent));
-  return grid_seen ? fmt::format("dots: floating-point numbers; width {}", width)
-                   : fmt::format("width {} of the largest coordinate", width);
+std::string ulps(double n) {
+  return n >= 1 && n < 1e5 ? fmt::format("{:.0f} ulp", n) : fmt::format("{:.3g} ulp", n);
+}
+
+std::string scale_text(const ShaftCase& shaft, int exponent, bool floats_seen) {
+  if (shaft.ball) return fmt::format("squares of {}", ulps(std::ldexp(1.0, exponent)));
+  const std::string width = ulps(std::ldexp(2 * kCells, exponent));
+  return floats_seen ? fmt::format("dots: {} numbers; {} wide", shaft.single ? "float32" : "float64", width)
+                     : width + " wide";
 }
 
 }  // namespace
@@ -178,7 +180,7 @@ InsetPicture inset(const ShaftCase& shaft, const DecidingView& view) {
   say(say_in, "shaft's side");
   say(say_out, "outside");
   out += fmt::format("<rect class=\"gp-frame\" width=\"{0:.0f}\" height=\"{0:.0f}\"/>", InsetPicture::kSize);
-  picture.scale = scale_text(exponent, shaft.ball.has_value(), lines.find("gp-dots") != std::string::npos);
+  picture.scale = scale_text(shaft, exponent, lines.find("gp-dots") != std::string::npos);
   return picture;
 }
 

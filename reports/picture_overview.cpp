@@ -97,50 +97,40 @@ std::string letter(double x, double y, const char* name, const char* look) {
                      svg_number(y), name);
 }
 
-/// The shortest decimal that gives the number back.
+/// The shortest decimal that gives the number back, or nine digits when that is long.
 std::string decimal(double x, bool single) {
-  return single ? fmt::format("{}", static_cast<float>(x)) : fmt::format("{}", x);
+  const std::string text = single ? fmt::format("{}", static_cast<float>(x)) : fmt::format("{}", x);
+  return text.size() <= 11 ? text : fmt::format("{:.9g}", x);
+}
+
+/// An axis with its ends and name; along its own direction, from 0 to `length` pixels.
+std::string axis(char name, double lo, double hi, double length, bool single) {
+  const std::string from = decimal(lo, single), to = decimal(hi, single);
+  const auto text = [](double x, const char* anchor, const std::string& what) {
+    return fmt::format("<text class=\"gp-tick\" x=\"{}\" y=\"13\" text-anchor=\"{}\">{}</text>",
+                       svg_number(x), anchor, what);
+  };
+  constexpr double kLetter = 6.2;  // pixels: the mean width of a digit
+  if (lo == hi) return text(length / 2, "middle", fmt::format("{} = {}", name, from));
+  const double needed = kLetter * static_cast<double>(from.size() + to.size() + 4);
+  if (needed > length) return text(length / 2, "middle", fmt::format("{}: {} to {}", name, from, to));
+  return text(0, "start", from) +
+         text(length / 2, "middle", fmt::format("<tspan class=\"gp-axis-name\">{}</tspan>", name)) +
+         text(length, "end", to);
 }
 
 std::string axes(const ShaftCase& shaft, const Silhouette& s, const Frame& f) {
   const auto [x0, x1] = bounds(shaft, s.right);
   const auto [y0, y1] = bounds(shaft, s.up);
-  const double bottom = OverviewPicture::kHeight - kBottom + 4, left = kLeft - 6;
-  std::string out = fmt::format("<path class=\"gp-axis\" d=\"M{0} {1}H{2}M{3} {4}V{5}\"/>",
-                                svg_number(f.right.lo()), svg_number(bottom), svg_number(f.right.hi()),
-                                svg_number(left), svg_number(f.up.lo()), svg_number(f.up.hi()));
-  const bool flat_x = x0 == x1, flat_y = y0 == y1;
-  const auto across = [&](double x, const char* anchor, const std::string& text) {
-    out += fmt::format("<text class=\"gp-tick\" x=\"{}\" y=\"{}\" text-anchor=\"{}\">{}</text>",
-                       svg_number(x), svg_number(bottom + 13), anchor, text);
-  };
-  const auto upward = [&](double y, const char* anchor, const std::string& text) {
-    out += fmt::format(
-        "<text class=\"gp-tick\" transform=\"translate({} {}) rotate(-90)\" text-anchor=\"{}\">{}</text>",
-        svg_number(left - 5), svg_number(y), anchor, text);
-  };
-  const bool narrow_x = f.right.hi() - f.right.lo() < 110, narrow_y = f.up.lo() - f.up.hi() < 110;
-  if (flat_x || narrow_x) {
-    const std::string to = flat_x ? "" : " to " + decimal(x1, shaft.single);
-    across((f.right.lo() + f.right.hi()) / 2, "middle",
-           fmt::format("{} = {}{}", kAxes[s.right], decimal(x0, shaft.single), to));
-  } else {
-    across(f.right.lo(), "start", decimal(x0, shaft.single));
-    across((f.right.lo() + f.right.hi()) / 2, "middle",
-           fmt::format("<tspan class=\"gp-axis-name\">{}</tspan>", kAxes[s.right]));
-    across(f.right.hi(), "end", decimal(x1, shaft.single));
-  }
-  if (flat_y || narrow_y) {
-    const std::string to = flat_y ? "" : " to " + decimal(y1, shaft.single);
-    upward((f.up.lo() + f.up.hi()) / 2, "middle",
-           fmt::format("{} = {}{}", kAxes[s.up], decimal(y0, shaft.single), to));
-  } else {
-    upward(f.up.lo(), "start", decimal(y0, shaft.single));
-    upward((f.up.lo() + f.up.hi()) / 2, "middle",
-           fmt::format("<tspan class=\"gp-axis-name\">{}</tspan>", kAxes[s.up]));
-    upward(f.up.hi(), "end", decimal(y1, shaft.single));
-  }
-  return out;
+  const double across = f.right.hi() - f.right.lo(), upward = f.up.lo() - f.up.hi();
+  return fmt::format("<g transform=\"translate({} {})\"><path class=\"gp-axis\" d=\"M0 0H{}\"/>{}</g>",
+                     svg_number(f.right.lo()), svg_number(OverviewPicture::kHeight - kBottom + 4),
+                     svg_number(across), axis(kAxes[s.right], x0, x1, across, shaft.single)) +
+         fmt::format(
+             "<g transform=\"translate({} {}) rotate(-90)\"><path class=\"gp-axis\" d=\"M0 0H{}\"/><g "
+             "transform=\"translate(0 -18)\">{}</g></g>",
+             svg_number(kLeft - 6), svg_number(f.up.lo()), svg_number(upward),
+             axis(kAxes[s.up], y0, y1, upward, shaft.single));
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace gnomon::reports {
 
 /// The whole case along the deciding projection, and how many pixels one of the case's ulps takes in it.
 struct OverviewPicture {
-  static constexpr double kWidth = 320, kHeight = 330;
+  static constexpr double kWidth = 320, kHeight = 342;
   std::string svg;
   double pixels_per_ulp = 0;
 };
@@ -22,7 +22,7 @@ struct OverviewPicture {
 
 /// The neighbourhood of the deciding corner, kSize x kSize pixels, with a line of text on its scale.
 struct InsetPicture {
-  static constexpr double kSize = 208;
+  static constexpr double kSize = 224;
   std::string svg;
   std::string scale;
 };

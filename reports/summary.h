@@ -30,6 +30,9 @@ struct Summary {
   Share insides;  ///< said "inside" of what is not inside; n = 0 for questions without that answer
   Share wasted;   ///< kept though exactly outside; for other questions: every wasteful answer
   bool promise_broken = false;
+  /// True when an unsound answer was seen.
+  [[nodiscard]] bool lies() const { return culls.k > 0 || insides.k > 0 || unsound > 0; }
+
   std::optional<double> ns, reference_ns;  ///< means over the rows that were timed, weighted by their trials
 };
 

@@ -23,4 +23,11 @@ template <class F>
          std::isfinite(ball.radius) && ball.radius >= F(0);
 }
 
+/// The ball with its numbers converted: widening is exact, narrowing needs numbers that are floats.
+template <class To, class From>
+[[nodiscard]] Ball<To> converted(const Ball<From>& ball) {
+  return {{static_cast<To>(ball.centre[0]), static_cast<To>(ball.centre[1]), static_cast<To>(ball.centre[2])},
+          static_cast<To>(ball.radius)};
+}
+
 }  // namespace gnomon::scene

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace gnomon::scene {
 
@@ -31,6 +32,14 @@ template <class F>
       return false;
   }
   return true;
+}
+
+/// The box with its coordinates converted: widening is exact, narrowing needs numbers that are floats.
+template <class To, class From>
+[[nodiscard]] Box<To> converted(const Box<From>& box) {
+  Box<To> result;
+  for (std::size_t i = 0; i < 6; ++i) result.c[i] = static_cast<To>(box.c[i]);
+  return result;
 }
 
 }  // namespace gnomon::scene

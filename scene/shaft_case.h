@@ -29,4 +29,14 @@ struct ShaftBallCaseOf {
 using ShaftBoxCase = ShaftBoxCaseOf<double>;
 using ShaftBallCase = ShaftBallCaseOf<double>;
 
+/// The case with its numbers converted, as converted() of boxes and balls.
+template <class To, class From>
+[[nodiscard]] ShaftBoxCaseOf<To> converted(const ShaftBoxCaseOf<From>& c) {
+  return {converted<To>(c.a), converted<To>(c.b), converted<To>(c.t)};
+}
+template <class To, class From>
+[[nodiscard]] ShaftBallCaseOf<To> converted(const ShaftBallCaseOf<From>& c) {
+  return {converted<To>(c.a), converted<To>(c.b), converted<To>(c.t)};
+}
+
 }  // namespace gnomon::scene

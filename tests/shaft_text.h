@@ -6,6 +6,7 @@
 #include <ostream>
 #include <string>
 
+#include "scene/category.h"
 #include "scene/shaft_case.h"
 
 namespace gnomon::tests {

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fuzz/campaign.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+#include "fuzz/trial_block.h"
+#include "fuzz/witness.h"
+
+namespace gnomon::fuzz {
+
+namespace {
+
+/// All methods that share the cases of one distribution and scalar.
+template <class Q>
+struct Batch {
+  DistributionChoice choice;
+  scene::Scalar scalar;
+  std::vector<const Method<Q>*> methods;
+};
+
+template <class Q>
+std::vector<Batch<Q>> plan(const CampaignOptions& options) {
+  std::vector<DistributionChoice> choices;
+  for (const std::string& name : options.distributions) choices.push_back(parse_distribution(name));
+  if (choices.empty()) {
+    for (const Distribution& distribution : distributions()) {
+      if (!distribution.needs_argument) choices.push_back({&distribution, ""});
+    }
+  }
+  const std::vector<const Method<Q>*> chosen = choose_methods<Q>(options.methods);
+  std::vector<Batch<Q>> batches;
+  for (const DistributionChoice& choice : choices) {
+    for (const scene::Scalar scalar : {scene::Scalar::f32, scene::Scalar::f64}) {
+      if (options.scalar && *options.scalar != scalar) continue;
+      Batch<Q> batch{choice, scalar, {}};
+      for (const Method<Q>* method : chosen) {
+        if (options.scalar || method->has(scalar)) batch.methods.push_back(method);
+      }
+      if (!batch.methods.empty()) batches.push_back(std::move(batch));
+    }
+  }
+  return batches;
+}
+
+/// What the threads of one batch share.
+struct Shared {
+  std::atomic<std::uint64_t> next_chunk = 0;
+  std::atomic<std::uint64_t> chunks_done = 0;
+  std::atomic<unsigned> threads_left = 0;
+  std::atomic<bool> failed = false;
+  std::mutex mutex;
+  std::condition_variable finished;
+  std::exception_ptr error;
+};
+
+struct BatchTotals {
+  std::vector<Tally> tallies;
+  double reference_ns = 0;
+};
+
+template <class Q>
+void work(const Batch<Q>& batch, const Generator<typename Q::Case>& generator, const CampaignOptions& options,
+          std::uint32_t stream, std::uint64_t chunks, std::optional<Clock::time_point> deadline,
+          Shared& shared, BatchTotals& totals) {
+  constexpr std::uint64_t kSize = TrialBlock<Q>::kSize;
+  const std::size_t keep = options.witnesses_per_row;
+  TrialBlock<Q> block(options.seed, stream, batch.scalar, keep);
+  std::vector<Tally> tallies(batch.methods.size());
+  while (!shared.failed.load(std::memory_order_relaxed)) {
+    if (deadline && Clock::now() >= *deadline) break;
+    const std::uint64_t taken = shared.next_chunk.fetch_add(1);
+    const std::uint64_t chunk = taken * options.shards + (options.shard - 1);
+    if (chunk >= chunks) break;
+    const std::uint64_t first = chunk * kSize;
+    const std::uint64_t count = deadline ? kSize : std::min(kSize, options.trials - first);
+    block.fill(generator, first, static_cast<std::size_t>(count));
+    for (std::size_t m = 0; m < batch.methods.size(); ++m) block.run(*batch.methods[m], tallies[m]);
+    shared.chunks_done.fetch_add(1, std::memory_order_relaxed);
+  }
+  const std::lock_guard lock(shared.mutex);
+  for (std::size_t m = 0; m < tallies.size(); ++m) totals.tallies[m].add(tallies[m], keep);
+  totals.reference_ns += block.reference_ns();
+}
+
+template <class Q>
+BatchTotals run_batch(const Batch<Q>& batch, const Generator<typename Q::Case>& generator,
+                      const CampaignOptions& options, std::uint32_t stream, double seconds,
+                      const std::function<void(double)>& on_share) {
+  constexpr std::uint64_t kSize = TrialBlock<Q>::kSize;
+  BatchTotals totals;
+  totals.tallies.resize(batch.methods.size());
+  std::optional<Clock::time_point> deadline;
+  const Clock::time_point start = Clock::now();
+  if (options.seconds)
+    deadline = start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+  const std::uint64_t chunks = deadline ? UINT64_MAX / kSize : (options.trials + kSize - 1) / kSize;
+  Shared shared;
+  shared.threads_left = options.jobs;
+  {
+    std::vector<std::jthread> threads;
+    for (unsigned j = 0; j < options.jobs; ++j) {
+      threads.emplace_back([&] {
+        try {
+          work(batch, generator, options, stream, chunks, deadline, shared, totals);
+        } catch (...) {
+          const std::lock_guard lock(shared.mutex);
+          if (!shared.error) shared.error = std::current_exception();
+          shared.failed = true;
+        }
+        const std::lock_guard lock(shared.mutex);
+        if (--shared.threads_left == 0) shared.finished.notify_one();
+      });
+    }
+    std::unique_lock lock(shared.mutex);
+    while (shared.threads_left != 0) {
+      shared.finished.wait_for(lock, std::chrono::milliseconds(200));
+      if (on_share) {
+        const double share =
+            deadline ? ns_since(start) * 1e-9 / seconds
+                     : static_cast<double>(shared.chunks_done) * options.shards / static_cast<double>(chunks);
+        on_share(std::min(1.0, share));
+      }
+    }
+  }
+  if (shared.error) std::rethrow_exception(shared.error);
+  return totals;
+}
+
+template <class Q>
+RowResult row_of(const Batch<Q>& batch, const Method<Q>& method, const Tally& tally,
+                 const BatchTotals& totals, const Generator<typename Q::Case>& generator,
+                 const CampaignOptions& options, std::uint32_t stream) {
+  RowResult row;
+  row.question = Q::id;
+  row.method = method.name;
+  row.promise = name_of(method.promise);
+  row.tier = method.tier;
+  row.distribution = batch.choice.label();
+  row.scalar = name_of(batch.scalar);
+  row.trials = tally.trials;
+  row.matrix = tally.matrix;
+  row.touching_outside = tally.touching_outside;
+  row.touching_inside = tally.touching_inside;
+  row.unsound_touching = tally.unsound_touching;
+  row.rounding = tally.rounding;
+  row.model = tally.model;
+  row.rounding_and_model = tally.rounding_and_model;
+  row.threshold_checked = tally.threshold_checked;
+  row.threshold_exceeded = tally.threshold_exceeded;
+  row.in_domain = batch.choice.distribution->in_every_domain;
+  const auto case_of_trial = [&](std::uint64_t trial) {
+    CaseRandom random(options.seed, stream, trial);
+    return generator.make(random);
+  };
+  if (tally.largest.known()) {
+    const typename Q::Case c = case_of_trial(tally.largest.trial());
+    const double length = gap_length(c, tally.largest.gap());
+    row.worst = WorstGap{tally.largest.gap(), length, length / scene::ulp_of(largest_number(c), batch.scalar),
+                         tally.largest.trial()};
+  }
+  for (std::size_t fault = 0; fault < kFaults && method.tier != "trivial"; ++fault) {
+    for (const std::uint64_t trial : tally.faults[fault].trials()) {
+      Witness witness = make_witness(method, batch.scalar, case_of_trial(trial));
+      witness.distribution = row.distribution;
+      witness.seed = options.seed;
+      witness.trial = trial;
+      witness.name = witness_name(witness);
+      row.witnesses.push_back(std::move(witness));
+    }
+  }
+  if (tally.trials > 0) {
+    row.ns_per_case = tally.ns / static_cast<double>(tally.trials);
+    row.reference_ns_per_case = totals.reference_ns / static_cast<double>(tally.trials);
+  }
+  return row;
+}
+
+}  // namespace
+
+template <class Q>
+std::vector<const Method<Q>*> choose_methods(const std::vector<std::string>& names) {
+  std::vector<const Method<Q>*> chosen;
+  for (const Method<Q>& method : methods<Q>()) {
+    if (names.empty() || std::find(names.begin(), names.end(), method.name) != names.end())
+      chosen.push_back(&method);
+  }
+  for (const std::string& name : names) {
+    const bool known =
+        std::any_of(chosen.begin(), chosen.end(), [&](const Method<Q>* m) { return m->name == name; });
+    if (known) continue;
+    std::string all;
+    for (const Method<Q>& method : methods<Q>()) all += (all.empty() ? "" : ", ") + std::string(method.name);
+    throw UsageError("--method: expected one of " + all + " for " + std::string(Q::id) + ", found \"" + name +
+                     "\"");
+  }
+  return chosen;
+}
+
+template <class Q>
+CampaignResult run_campaign(const CampaignOptions& options, const OnProgress& on_progress) {
+  const std::vector<Batch<Q>> batches = plan<Q>(options);
+  // A mesh that can't be read is said before hours of trials, not after.
+  std::vector<std::unique_ptr<Generator<typename Q::Case>>> generators;
+  for (const Batch<Q>& batch : batches)
+    generators.push_back(make_generator<typename Q::Case>(batch.choice, batch.scalar));
+
+  CampaignResult result;
+  result.seed = options.seed;
+  result.shard = options.shard;
+  result.shards = options.shards;
+  const double share = 1.0 / static_cast<double>(batches.size());
+  for (std::size_t b = 0; b < batches.size(); ++b) {
+    const Batch<Q>& batch = batches[b];
+    const std::string where =
+        std::string(Q::id) + " " + batch.choice.label() + " " + std::string(name_of(batch.scalar));
+    const std::uint32_t stream = stream_of(where);
+    std::function<void(double)> on_share;
+    if (on_progress)
+      on_share = [&](double part) { on_progress({(static_cast<double>(b) + part) * share, where}); };
+    const Clock::time_point start = Clock::now();
+    const BatchTotals totals =
+        run_batch(batch, *generators[b], options, stream, options.seconds.value_or(0) * share, on_share);
+    result.seconds += ns_since(start) * 1e-9;
+    for (std::size_t m = 0; m < batch.methods.size(); ++m) {
+      result.rows.push_back(
+          row_of(batch, *batch.methods[m], totals.tallies[m], totals, *generators[b], options, stream));
+      result.trials += totals.tallies[m].trials;
+    }
+  }
+  result.core_seconds = result.seconds * options.jobs;
+  return result;
+}
+
+template CampaignResult run_campaign<ShaftBoxQuestion>(const CampaignOptions&, const OnProgress&);
+template CampaignResult run_campaign<ShaftBallQuestion>(const CampaignOptions&, const OnProgress&);
+template std::vector<const Method<ShaftBoxQuestion>*> choose_methods(const std::vector<std::string>&);
+template std::vector<const Method<ShaftBallQuestion>*> choose_methods(const std::vector<std::string>&);
+
+}  // namespace gnomon::fuzz

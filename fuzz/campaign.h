@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The trial loop: cases, references, methods, verdicts.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fuzz/generator.h"
+#include "fuzz/method.h"
+#include "fuzz/row_result.h"
+
+namespace gnomon::fuzz {
+
+struct CampaignOptions {
+  std::uint64_t seed = 1;
+  std::uint64_t trials = 100000;           ///< of each row
+  std::optional<double> seconds;           ///< instead of trials: for all rows together
+  unsigned jobs = 1;                       ///< threads; results do not depend on it
+  unsigned shard = 1, shards = 1;          ///< this run takes the shard-th of `shards` parts of the trials
+  std::optional<scene::Scalar> scalar;     ///< of the cases; without it every method gets cases of its own
+  std::vector<std::string> methods;        ///< empty: all
+  std::vector<std::string> distributions;  ///< empty: all that need no argument
+  unsigned witnesses_per_row = 1;          ///< how many disagreements of each fault are shrunk; 0: none
+};
+
+/// How far a campaign is: shares of 1, for a progress line.
+struct Progress {
+  double done = 0;
+  std::string where;
+};
+using OnProgress = std::function<void(const Progress&)>;
+
+/// Runs a campaign. Throws UsageError for methods or distributions that do not exist, scene::InputError for
+/// mesh files that can't be read. `on_progress` is called from one thread, a few times a second.
+template <class Q>
+[[nodiscard]] CampaignResult run_campaign(const CampaignOptions& options, const OnProgress& on_progress = {});
+
+/// The methods of Q by name, all when `names` is empty. Throws UsageError naming the known ones.
+template <class Q>
+[[nodiscard]] std::vector<const Method<Q>*> choose_methods(const std::vector<std::string>& names);
+
+}  // namespace gnomon::fuzz

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fuzz/replay.h"
+
+#include <algorithm>
+
+#include "fuzz/generator.h"
+#include "fuzz/witness.h"
+
+namespace gnomon::fuzz {
+
+namespace {
+
+template <class Q>
+typename Q::Case parse_case(const scene::CorpusLine& line) {
+  const std::vector<double> numbers = line.numbers(Q::number_count);
+  const typename Q::Case c = case_of<typename Q::Case>(numbers);
+  if (const std::optional<std::string_view> wanted = objection(c)) line.fail(*wanted, "none in this case");
+  return c;
+}
+
+bool is_broken(Promise promise, Verdict verdict) {
+  if (promise == Promise::none || verdict == Verdict::agree || verdict == Verdict::rejected) return false;
+  return verdict == Verdict::unsound || promise == Promise::always_agrees;
+}
+
+template <class Q>
+void replay_line(const scene::CorpusLine& line, const std::vector<std::string>& names, ReplayResult& result) {
+  const typename Q::Case c = parse_case<Q>(line);
+  const scene::Scalar scalar = is_single(c) ? scene::Scalar::f32 : scene::Scalar::f64;
+  const std::string where = line.file + ":" + std::to_string(line.line);
+  const std::string_view truth = name_of(exact::classify(c));
+  ++result.cases;
+  if (line.answer) {
+    if (std::find(Q::answers.begin(), Q::answers.end(), *line.answer) == Q::answers.end()) {
+      line.fail("outside, overlap or inside after \"->\"", "\"" + *line.answer + "\"");
+    }
+    ++result.stated;
+    if (*line.answer != truth) result.wrong_answers.push_back({where, *line.answer, std::string(truth)});
+  }
+  for (const Method<Q>& method : methods<Q>()) {
+    if (!names.empty() && std::find(names.begin(), names.end(), method.name) == names.end()) continue;
+    const Trial trial = try_case(method, scalar, c);
+    result.lines.push_back({where, std::string(Q::id), std::string(method.name),
+                            std::string(answer_name(trial.answer)), std::string(name_of(trial.truth)),
+                            std::string(name_of(trial.verdict)), is_broken(method.promise, trial.verdict)});
+  }
+}
+
+template <class Q>
+bool has_method(const std::string& name) {
+  return std::any_of(methods<Q>().begin(), methods<Q>().end(),
+                     [&](const Method<Q>& m) { return m.name == name; });
+}
+
+}  // namespace
+
+bool ReplayResult::promise_broken() const {
+  return std::any_of(lines.begin(), lines.end(), [](const ReplayLine& line) { return line.promise_broken; });
+}
+
+ReplayResult replay(const std::vector<scene::CorpusLine>& corpus, const std::vector<std::string>& methods) {
+  for (const std::string& name : methods) {
+    if (!has_method<ShaftBoxQuestion>(name) && !has_method<ShaftBallQuestion>(name)) {
+      throw UsageError("--method: expected a method that `gnomon list` shows, found \"" + name + "\"");
+    }
+  }
+  ReplayResult result;
+  for (const scene::CorpusLine& line : corpus) {
+    if (line.question == ShaftBoxQuestion::id) {
+      replay_line<ShaftBoxQuestion>(line, methods, result);
+    } else if (line.question == ShaftBallQuestion::id) {
+      replay_line<ShaftBallQuestion>(line, methods, result);
+    } else {
+      line.fail("a question (shaft-box, shaft-sphere)", "\"" + line.question + "\"");
+    }
+  }
+  return result;
+}
+
+}  // namespace gnomon::fuzz

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a campaign finds out about one method on one distribution.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "exact/gap.h"
+#include "fuzz/verdict.h"
+
+namespace gnomon::fuzz {
+
+/// The largest disagreement of a row.
+struct WorstGap {
+  exact::Gap value;
+  double length = 0;  ///< as a length
+  double ulps = 0;    ///< the length over one ulp of the case's largest coordinate, in the row's scalar
+  std::uint64_t trial = 0;
+};
+
+/// A disagreement, shrunk.
+struct Witness {
+  std::string name;  ///< file name
+  std::string question, method, distribution, scalar;
+  std::string verdict;  ///< name of the fault
+  std::string answer, reference;
+  std::string case_text;      ///< corpus line of the shrunk case with the reference's answer
+  std::string original_text;  ///< corpus line as generated
+  std::uint64_t trial = 0, seed = 0;
+  exact::Gap gap;
+  double gap_length = 0, gap_ulps = 0;
+};
+
+/// Counts are sums over trials, so results of shards add up.
+struct RowResult {
+  std::string question, method, promise, tier, distribution, scalar;
+  std::uint64_t trials = 0;
+  std::array<std::array<std::uint64_t, kColumns>, kTruths> matrix{};
+  std::uint64_t touching_outside = 0, touching_inside = 0;
+  std::uint64_t unsound_touching = 0;  ///< unsound verdicts on cases that touch a boundary
+  std::uint64_t rounding = 0, model = 0, rounding_and_model = 0;
+  std::uint64_t threshold_checked = 0, threshold_exceeded = 0;
+  bool in_domain = true;  ///< the distribution lies in every method's stated domain
+  std::optional<WorstGap> worst;
+  std::vector<Witness> witnesses;
+  double ns_per_case = 0, reference_ns_per_case = 0;
+
+  [[nodiscard]] std::uint64_t truths(std::size_t truth) const;
+  [[nodiscard]] std::uint64_t count(Verdict verdict) const;
+  [[nodiscard]] std::uint64_t count(Fault fault) const;
+  /// True when the row shows that the method's promise does not hold.
+  [[nodiscard]] bool promise_broken() const;
+};
+
+/// One campaign: everything that a result file says, timings apart.
+struct CampaignResult {
+  std::string command;
+  std::uint64_t seed = 0;
+  unsigned shard = 1, shards = 1;
+  std::vector<RowResult> rows;
+  std::uint64_t trials = 0;  ///< over all rows
+  double seconds = 0;        ///< wall time of the trials, shrinking left out
+  double core_seconds = 0;   ///< seconds times jobs
+
+  [[nodiscard]] bool promise_broken() const;
+};
+
+}  // namespace gnomon::fuzz

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One block of trials: made, referred, answered, judged. Each thread has a block of its own; nothing is
+// allocated per trial.
+#pragma once
+
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "fuzz/generator.h"
+#include "fuzz/shaft_questions.h"
+#include "fuzz/tally.h"
+
+namespace gnomon::fuzz {
+
+using Clock = std::chrono::steady_clock;
+
+[[nodiscard]] inline double ns_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+}
+
+template <class Q>
+class TrialBlock {
+ public:
+  static constexpr std::size_t kSize = 1024;
+  using Case = typename Q::Case;
+
+  TrialBlock(std::uint64_t seed, std::uint32_t stream, scene::Scalar scalar, std::size_t keep)
+      : seed_(seed),
+        stream_(stream),
+        scalar_(scalar),
+        keep_(keep),
+        cases_(kSize),
+        narrow_(kSize),
+        references_(kSize),
+        answers_(kSize) {}
+
+  /// Makes and refers the trials first .. first+count-1.
+  void fill(const Generator<Case>& generator, std::uint64_t first, std::size_t count) {
+    first_ = first;
+    count_ = count;
+    for (std::size_t i = 0; i < count; ++i) {
+      CaseRandom random(seed_, stream_, first + i);
+      cases_[i] = generator.make(random);
+    }
+    if (scalar_ == scene::Scalar::f32) {
+      for (std::size_t i = 0; i < count; ++i) narrow_[i] = scene::converted<float>(cases_[i]);
+    }
+    const Clock::time_point start = Clock::now();
+    in_rationals_ += exact::refer(std::span(cases_).first(count), std::span(references_).first(count));
+    reference_ns_ += ns_since(start);
+  }
+
+  /// Runs one method on the block and adds what comes of it.
+  void run(const Method<Q>& method, Tally& tally) {
+    const Clock::time_point start = Clock::now();
+    answer(method);
+    tally.ns += ns_since(start);
+    tally.trials += count_;
+    for (std::size_t i = 0; i < count_; ++i) judge(method, i, tally);
+  }
+
+  [[nodiscard]] double reference_ns() const { return reference_ns_; }
+  [[nodiscard]] std::uint64_t in_rationals() const { return in_rationals_; }
+
+ private:
+  void answer(const Method<Q>& method) {
+    const std::span<Answer> answers = std::span(answers_).first(count_);
+    if (method.has(scalar_)) {
+      if (scalar_ == scene::Scalar::f32) {
+        method.run_f32(std::span(narrow_).first(count_), answers);
+      } else {
+        method.run_f64(std::span(cases_).first(count_), answers);
+      }
+    } else if (method.run_f64 != nullptr) {  // floats are doubles
+      method.run_f64(std::span(cases_).first(count_), answers);
+    } else {  // doubles that are floats; others are outside of the method's domain
+      for (std::size_t i = 0; i < count_; ++i) {
+        answers[i] = kRejected;
+        if (!is_single(cases_[i])) continue;
+        narrow_[i] = scene::converted<float>(cases_[i]);
+        method.run_f32(std::span(narrow_).subspan(i, 1), answers.subspan(i, 1));
+      }
+    }
+  }
+
+  void judge(const Method<Q>& method, std::size_t i, Tally& tally) {
+    const typename Q::Reference& reference = references_[i];
+    const Answer given = answers_[i];
+    ++tally.matrix[static_cast<std::size_t>(reference.truth)][given];
+    tally.touching_outside += reference.touches_outside;
+    tally.touching_inside += reference.touches_inside;
+    if (given >= kTruths) return;  // undecided, rejected: no answer to compare
+    const scene::Category twin = answer_of(method.twin, reference);
+    const bool rounded = given != static_cast<Answer>(twin), modelled = twin != reference.truth;
+    tally.rounding += rounded && !modelled;
+    tally.model += modelled && !rounded;
+    tally.rounding_and_model += rounded && modelled;
+    if (rounded) check_threshold(method, i, twin, given, tally);
+    if (given != static_cast<Answer>(reference.truth)) record(i, given, tally);
+  }
+
+  void record(std::size_t i, Answer given, Tally& tally) {
+    const typename Q::Reference& reference = references_[i];
+    const Fault fault = Q::fault(reference.truth, given);
+    const bool unsound = Q::judge(reference.truth, given) == Verdict::unsound;
+    tally.unsound_touching += unsound && (reference.touches_outside || reference.touches_inside);
+    tally.faults[static_cast<std::size_t>(fault)].offer(first_ + i, keep_);
+    const exact::Boundary boundary = Q::boundary(fault);
+    if (tally.largest.may_exceed(exact::gap_bound(cases_[i], boundary))) {
+      tally.largest.offer(exact::gap(cases_[i], boundary), first_ + i);
+    }
+  }
+
+  /// A certified method may say overlap where its twin knows better, but only within its stated threshold.
+  void check_threshold(const Method<Q>& method, std::size_t i, scene::Category twin, Answer given,
+                       Tally& tally) {
+    if (method.stated_gap_f32 == nullptr && method.stated_gap_f64 == nullptr) return;
+    if (given != static_cast<Answer>(scene::Category::overlap)) return;
+    const double growth = method.stated_gap_f32 != nullptr
+                              ? method.stated_gap_f32(scene::converted<float>(cases_[i]))
+                              : method.stated_gap_f64(cases_[i]);
+    ++tally.threshold_checked;
+    tally.threshold_exceeded += exact::classify_grown(cases_[i], growth) == twin;
+  }
+
+  std::uint64_t seed_;
+  std::uint32_t stream_;
+  scene::Scalar scalar_;
+  std::size_t keep_;
+  std::vector<Case> cases_;
+  std::vector<typename Q::template CaseOf<float>> narrow_;
+  std::vector<typename Q::Reference> references_;
+  std::vector<Answer> answers_;
+  std::uint64_t first_ = 0;
+  std::size_t count_ = 0;
+  double reference_ns_ = 0;
+  std::uint64_t in_rationals_ = 0;
+};
+
+}  // namespace gnomon::fuzz

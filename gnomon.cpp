@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The command line: one executable, `gnomon VERB`. Exit status: 0 ran and every promise held; 1 a promise was
+// broken or a stated answer is wrong; 2 bad usage or bad input, said in one line on standard error.
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <chrono>
+#include <cstdio>
+#include <iostream>
+#include <thread>
+
+#include "fast/fp_environment.h"
+#include "fuzz/campaign.h"
+#include "fuzz/replay.h"
+#include "fuzz/shaft_questions.h"
+#include "fuzz/witness.h"
+#include "reports/campaign_text.h"
+#include "reports/environment.h"
+#include "reports/explain.h"
+#include "reports/html_report.h"
+#include "reports/replay_json.h"
+#include "reports/result_json.h"
+#include "scene/atomic_file.h"
+#include "scene/input_error.h"
+
+namespace {
+
+using namespace gnomon;
+
+constexpr int kBroken = 1, kBadInput = 2;
+
+struct FuzzArguments {
+  std::string question, scalar, time, shard, out, json;
+  fuzz::CampaignOptions options;
+};
+
+/// "60s", "5m", "2h", or seconds.
+double seconds_of(const std::string& text) {
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  const std::string unit(stop, end);
+  const double factor = unit.empty() || unit == "s" ? 1 : unit == "m" ? 60 : unit == "h" ? 3600 : 0;
+  if (error != std::errc{} || factor == 0 || !(value > 0) || !(value * factor < 1e9)) {
+    throw fuzz::UsageError("--time: expected a duration such as 60s, 5m or 2h, found \"" + text + "\"");
+  }
+  return value * factor;
+}
+
+void parse_shard(const std::string& text, fuzz::CampaignOptions& options) {
+  unsigned shard = 0, shards = 0;
+  const char* const end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, shard);
+  const bool slash = first.ec == std::errc{} && first.ptr != end && *first.ptr == '/';
+  const auto second = slash ? std::from_chars(first.ptr + 1, end, shards) : first;
+  if (!slash || second.ec != std::errc{} || second.ptr != end || shard < 1 || shard > shards) {
+    throw fuzz::UsageError("--shard: expected I/N with 1 <= I <= N, found \"" + text + "\"");
+  }
+  options.shard = shard;
+  options.shards = shards;
+}
+
+/// A progress line on terminals, with the time left; silent elsewhere.
+class ProgressLine {
+ public:
+  void operator()(const fuzz::Progress& progress) {
+    if (!terminal_) return;
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    const double left = progress.done > 0.01 ? seconds / progress.done - seconds : 0;
+    std::fprintf(stderr, "\r\033[K%3.0f %%  %s  %.0f s left", 100 * progress.done, progress.where.c_str(),
+                 left);
+    std::fflush(stderr);
+    shown_ = true;
+  }
+  ~ProgressLine() {
+    if (shown_) std::fputs("\r\033[K", stderr);
+  }
+  ProgressLine() = default;
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+ private:
+  bool terminal_ = ::isatty(STDERR_FILENO) != 0, shown_ = false;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// The command as it can be typed again: what does not change results (jobs, output places) is left out.
+std::string command_of(const FuzzArguments& arguments) {
+  const fuzz::CampaignOptions& options = arguments.options;
+  std::string text = "gnomon fuzz " + arguments.question;
+  for (const std::string& name : options.methods) text += " --method " + name;
+  for (const std::string& name : options.distributions) text += " --distribution " + name;
+  if (!arguments.scalar.empty()) text += " --scalar " + arguments.scalar;
+  text += options.seconds ? " --time " + arguments.time : " --trials " + std::to_string(options.trials);
+  text += " --seed " + std::to_string(options.seed);
+  if (options.shards > 1) text += " --shard " + arguments.shard;
+  return text;
+}
+
+fuzz::CampaignResult run_question(const FuzzArguments& arguments, const fuzz::OnProgress& on_progress) {
+  if (arguments.question == fuzz::ShaftBoxQuestion::id) {
+    return fuzz::run_campaign<fuzz::ShaftBoxQuestion>(arguments.options, on_progress);
+  }
+  if (arguments.question == fuzz::ShaftBallQuestion::id) {
+    return fuzz::run_campaign<fuzz::ShaftBallQuestion>(arguments.options, on_progress);
+  }
+  throw fuzz::UsageError("fuzz: expected a question (shaft-box, shaft-sphere), found \"" +
+                         arguments.question + "\"");
+}
+
+void write_results(const FuzzArguments& arguments, const fuzz::CampaignResult& result) {
+  const std::string json = reports::result_json(result);
+  if (!arguments.json.empty()) scene::write_whole_file(arguments.json, json);
+  if (arguments.out.empty()) return;
+  const std::filesystem::path folder(arguments.out);
+  for (const fuzz::RowResult& row : result.rows) {
+    for (const fuzz::Witness& witness : row.witnesses) {
+      scene::write_whole_file(folder / "witnesses" / witness.name, fuzz::witness_text(witness));
+    }
+  }
+  std::string name = arguments.question + "-" + std::to_string(result.seed);
+  if (result.shards > 1) name += "-" + std::to_string(result.shard) + "of" + std::to_string(result.shards);
+  scene::write_whole_file(folder / (name + ".json"), json);
+}
+
+int run_fuzz(FuzzArguments& arguments) {
+  fuzz::CampaignOptions& options = arguments.options;
+  if (!arguments.time.empty()) options.seconds = seconds_of(arguments.time);
+  if (!arguments.shard.empty()) parse_shard(arguments.shard, options);
+  if (!arguments.scalar.empty()) {
+    if (arguments.scalar != "f32" && arguments.scalar != "f64") {
+      throw fuzz::UsageError("--scalar: expected f32 or f64, found \"" + arguments.scalar + "\"");
+    }
+    options.scalar = arguments.scalar == "f32" ? scene::Scalar::f32 : scene::Scalar::f64;
+  }
+  if (options.trials < 1 || options.jobs < 1)
+    throw fuzz::UsageError("--trials and --jobs: expected at least 1, found 0");
+  if (!fast::witness_fp_environment().is_strict()) {
+    throw fuzz::UsageError(
+        "the floating-point environment is not IEEE round-to-nearest with denormals: no result would hold");
+  }
+  fuzz::CampaignResult result;
+  {
+    ProgressLine line;
+    result = run_question(arguments, [&line](const fuzz::Progress& progress) { line(progress); });
+  }
+  result.command = command_of(arguments);
+  write_results(arguments, result);
+  std::cout << reports::campaign_text(result);
+  for (const fuzz::RowResult& row : result.rows) {
+    if (!row.promise_broken()) continue;
+    std::cerr << "gnomon: " << row.method << " on " << row.distribution << " " << row.scalar
+              << " broke its promise (" << row.promise << ")\n";
+    for (const fuzz::Witness& witness : row.witnesses) std::cerr << "  " << witness.case_text << "\n";
+  }
+  return result.promise_broken() ? kBroken : 0;
+}
+
+int run_replay(const std::vector<std::string>& files, const std::vector<std::string>& methods,
+               const std::string& json) {
+  std::vector<scene::CorpusLine> corpus;
+  for (const std::string& file : files) {
+    std::vector<scene::CorpusLine> lines = scene::read_corpus(file);
+    corpus.insert(corpus.end(), std::make_move_iterator(lines.begin()), std::make_move_iterator(lines.end()));
+  }
+  const fuzz::ReplayResult result = fuzz::replay(corpus, methods);
+  if (!json.empty()) scene::write_whole_file(json, reports::replay_json(result));
+  for (const fuzz::ReplayLine& line : result.lines) {
+    std::cout << line.where << " " << line.method << " " << line.answer << " " << line.reference << " "
+              << line.verdict << "\n";
+  }
+  for (const fuzz::WrongAnswer& wrong : result.wrong_answers) {
+    std::cerr << wrong.where << ": states " << wrong.stated << ", exactly it is " << wrong.reference << "\n";
+  }
+  std::cerr << result.cases << " cases, " << result.stated << " with a stated answer, "
+            << result.wrong_answers.size() << " of them wrong\n";
+  return result.promise_broken() || !result.wrong_answers.empty() ? kBroken : 0;
+}
+
+int run_explain(const std::string& file, const std::string& svg) {
+  const std::vector<scene::CorpusLine> corpus = scene::read_corpus(file);
+  if (!svg.empty() && corpus.size() != 1) {
+    throw scene::InputError(file, 0, "expected one case for --svg, found " + std::to_string(corpus.size()));
+  }
+  for (const scene::CorpusLine& line : corpus) std::cout << reports::explain(line) << "\n";
+  if (!svg.empty()) scene::write_whole_file(svg, reports::explain_svg(corpus.front()));
+  return 0;
+}
+
+int run_list(bool json) {
+  std::cout << (json ? reports::list_json() : reports::list_text());
+  return 0;
+}
+
+int run_report(const std::string& folder, const std::string& out) {
+  reports::write_html_report(folder, out);
+  std::cerr << "wrote " << out << "\n";
+  return 0;
+}
+
+void add_fuzz(CLI::App& app, FuzzArguments& arguments, std::function<int()>& run) {
+  CLI::App* verb = app.add_subcommand("fuzz", "Run a campaign: methods against the exact references");
+  verb->add_option("question", arguments.question, "shaft-box or shaft-sphere")->required();
+  verb->add_option("--method", arguments.options.methods, "a method (repeatable); all without it");
+  verb->add_option("--distribution", arguments.options.distributions,
+                   "NAME or NAME:ARG (repeatable); all that need no argument without it");
+  verb->add_option("--scalar", arguments.scalar, "f32 or f64 cases for all methods; without it each its own");
+  verb->add_option("--trials", arguments.options.trials,
+                   "trials a row (question, method, distribution, scalar)")
+      ->capture_default_str();
+  verb->add_option("--time", arguments.time, "instead of --trials: 60s, 5m, 2h for the whole campaign");
+  verb->add_option("--seed", arguments.options.seed, "the same seed gives the same results")
+      ->capture_default_str();
+  arguments.options.jobs = std::max(1u, std::thread::hardware_concurrency());
+  verb->add_option("--jobs", arguments.options.jobs, "threads; changes no result")->capture_default_str();
+  verb->add_option("--shard", arguments.shard, "I/N: this run takes the I-th of N parts of the trials");
+  verb->add_option("--witnesses", arguments.options.witnesses_per_row,
+                   "disagreements of each kind a row that are shrunk")
+      ->capture_default_str();
+  verb->add_option("--out", arguments.out, "folder for the result file and the witnesses");
+  verb->add_option("--json", arguments.json, "result file");
+  verb->footer(
+      "Examples:\n"
+      "  gnomon fuzz shaft-box\n"
+      "  gnomon fuzz shaft-box --method naive-f32 --distribution near-touch --trials 10000000 --out results\n"
+      "  gnomon fuzz shaft-sphere --distribution mesh:bunny.off --time 60s --json bunny.json");
+  verb->final_callback([&] { run = [&arguments] { return run_fuzz(arguments); }; });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{
+      "gnomon: runs fast visibility-culling methods next to exact references and says how often, in which "
+      "direction\n"
+      "and by how much they lie."};
+  app.name("gnomon");
+  app.set_version_flag("--version", reports::version());
+  app.require_subcommand(1);
+  app.footer(
+      "Exit status: 0 every promise held; 1 a promise was broken or a stated answer is wrong; 2 bad usage or "
+      "input.\n"
+      "Examples:\n"
+      "  gnomon list\n"
+      "  gnomon fuzz shaft-box --trials 1000000 --out results\n"
+      "  gnomon explain results/witnesses/shaft-box.naive-f32.false-cull.*.txt\n"
+      "  gnomon report results -o report.html");
+
+  std::function<int()> run;
+  FuzzArguments fuzz_arguments;
+  add_fuzz(app, fuzz_arguments, run);
+
+  std::vector<std::string> replay_files, replay_methods;
+  std::string replay_json, explain_file, explain_svg, report_folder, report_out = "report.html";
+  bool list_as_json = false;
+
+  CLI::App* list = app.add_subcommand("list", "Questions, methods with their promises, distributions");
+  list->add_flag("--json", list_as_json, "as JSON");
+  list->final_callback([&] { run = [&] { return run_list(list_as_json); }; });
+
+  CLI::App* replay = app.add_subcommand("replay", "Run text corpora or witness files again");
+  replay->add_option("files", replay_files, "text corpora or witness files")->required();
+  replay->add_option("--method", replay_methods, "a method (repeatable); all without it");
+  replay->add_option("--json", replay_json, "result file");
+  replay->footer(
+      "Prints FILE:LINE method answer reference verdict for each case and method.\n"
+      "Example: gnomon replay tests/corpus/shaft.txt --method exact");
+  replay->final_callback(
+      [&] { run = [&] { return run_replay(replay_files, replay_methods, replay_json); }; });
+
+  CLI::App* explain =
+      app.add_subcommand("explain", "A case in words, decimals, hex floats, exact gap, and a picture");
+  explain->add_option("witness", explain_file, "a witness file or text corpus")->required();
+  explain->add_option("--svg", explain_svg, "write the picture as SVG too");
+  explain->footer(
+      "Example: gnomon explain results/witnesses/shaft-box.naive-f32.false-cull.offset.f32.1.123.txt --svg "
+      "case.svg");
+  explain->final_callback([&] { run = [&] { return run_explain(explain_file, explain_svg); }; });
+
+  CLI::App* report = app.add_subcommand("report", "Result files to one self-contained HTML page");
+  report->add_option("folder", report_folder, "folder with result files (*.json)")->required();
+  report->add_option("-o,--out", report_out, "the page")->capture_default_str();
+  report->footer("Example: gnomon report results -o report.html");
+  report->final_callback([&] { run = [&] { return run_report(report_folder, report_out); }; });
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    std::cerr << "gnomon: " << error.what() << "; see gnomon --help\n";
+    return kBadInput;
+  }
+  try {
+    return run();
+  } catch (const std::exception& error) {
+    std::cerr << "gnomon: " << error.what() << "\n";
+    return kBadInput;
+  }
+}

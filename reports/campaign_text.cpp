@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/campaign_text.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "fuzz/generator.h"
+#include "fuzz/shaft_questions.h"
+#include "fuzz/statistics.h"
+#include "reports/environment.h"
+
+namespace gnomon::reports {
+
+namespace {
+
+using fuzz::Fault;
+using fuzz::RowResult;
+using fuzz::Verdict;
+
+/// A rate for people: "0.31 %", or for no hits the bound, "<3.7e-06".
+std::string rate_text(std::uint64_t hits, std::uint64_t of) {
+  if (of == 0) return "-";
+  const fuzz::Rate rate = fuzz::rate_of(hits, of);
+  if (hits == 0) return fmt::format("<{:.1e}", rate.high95);
+  return fmt::format("{:.1e}", rate.value);
+}
+
+std::string header_text(const RowResult& row) {
+  const double n = static_cast<double>(std::max<std::uint64_t>(row.trials, 1));
+  const auto share = [n](std::uint64_t count) { return 100 * static_cast<double>(count) / n; };
+  return fmt::format(
+      "\n{} {} {}: {} trials, exactly {:.1f} % outside, {:.1f} % overlap, {:.1f} % inside; touching {:.1f} % "
+      "outside, "
+      "{:.1f} % inside\n  {:<16}{:>12}{:>12}{:>10}{:>12}{:>10}{:>10}{:>10}{:>9}{:>9}\n",
+      row.question, row.distribution, row.scalar, row.trials, share(row.truths(0)), share(row.truths(1)),
+      share(row.truths(2)), share(row.touching_outside), share(row.touching_inside), "method", "false culls",
+      "false ins.", "waste", "cull rate", "waste rt.", "rounding", "model", "worst", "ns/case");
+}
+
+std::string row_text(const RowResult& row) {
+  const std::uint64_t outside = row.truths(0), meeting = row.truths(1) + row.truths(2);
+  std::string text =
+      fmt::format("  {:<16}{:>12}{:>12}{:>10}{:>12}{:>10}{:>10}{:>10}{:>9}{:>9.1f}", row.method,
+                  row.count(Fault::false_cull), row.count(Fault::false_inside), row.count(Verdict::waste),
+                  rate_text(row.count(Fault::false_cull), meeting),
+                  rate_text(row.matrix[0][1] + row.matrix[0][2], outside), row.rounding,
+                  row.model + row.rounding_and_model,
+                  row.worst ? fmt::format("{:.1e}", std::abs(row.worst->length)) : "", row.ns_per_case);
+  if (row.count(Verdict::undecided) > 0) text += fmt::format("  {} undecided", row.count(Verdict::undecided));
+  if (row.count(Verdict::rejected) > 0) text += fmt::format("  {} rejected", row.count(Verdict::rejected));
+  if (row.promise_broken()) text += fmt::format("  PROMISE BROKEN ({})", row.promise);
+  return text + "\n";
+}
+
+template <class Q>
+std::string methods_text() {
+  std::string text = fmt::format("{}\n", Q::id);
+  for (const fuzz::Method<Q>& method : fuzz::methods<Q>()) {
+    const char* const scalars = method.run_f32 == nullptr   ? "f64"
+                                : method.run_f64 == nullptr ? "f32"
+                                                            : "f32 f64";
+    text += fmt::format("  {:<16}{:<11}{:<9}{:<16}{}\n", method.name, method.tier, scalars,
+                        name_of(method.promise), method.summary);
+  }
+  return text;
+}
+
+template <class Q>
+nlohmann::ordered_json methods_json() {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const fuzz::Method<Q>& method : fuzz::methods<Q>()) {
+    nlohmann::ordered_json scalars = nlohmann::ordered_json::array();
+    if (method.run_f32 != nullptr) scalars.push_back("f32");
+    if (method.run_f64 != nullptr) scalars.push_back("f64");
+    all.push_back({{"name", method.name},
+                   {"tier", method.tier},
+                   {"promise", name_of(method.promise)},
+                   {"scalars", scalars},
+                   {"domain", method.domain},
+                   {"summary", method.summary}});
+  }
+  return {{"id", Q::id}, {"answers", Q::answers}, {"methods", all}};
+}
+
+nlohmann::ordered_json mix_json(const fuzz::TruthMix& mix) {
+  return {{"outside", mix.outside}, {"overlap", mix.overlap}, {"inside", mix.inside}};
+}
+
+}  // namespace
+
+std::string campaign_text(const fuzz::CampaignResult& result) {
+  std::string text;
+  std::string last;
+  for (const RowResult& row : result.rows) {
+    const std::string key = row.distribution + row.scalar;
+    if (key != last) text += header_text(row);
+    last = key;
+    text += row_text(row);
+  }
+  text += fmt::format("\n{} trials in {:.1f} s: {:.2f} M exactly verified trials a second and core\n",
+                      result.trials, result.seconds,
+                      static_cast<double>(result.trials) / std::max(result.core_seconds, 1e-9) * 1e-6);
+  return text;
+}
+
+std::string list_text() {
+  std::string text = "Questions and methods (name, tier, scalars, promise, what it is):\n\n";
+  text += methods_text<fuzz::ShaftBoxQuestion>() + "\n" + methods_text<fuzz::ShaftBallQuestion>();
+  text +=
+      "\nDistributions (NAME or NAME:ARG; at least these shares outside/overlap/inside, of boxes and of "
+      "balls):\n\n";
+  for (const fuzz::Distribution& distribution : fuzz::distributions()) {
+    const fuzz::TruthMix& box = distribution.least_mix;
+    const fuzz::TruthMix& ball = distribution.least_mix_sphere;
+    text += fmt::format("  {:<16}{}\n  {:<16}{:g}/{:g}/{:g} %, {:g}/{:g}/{:g} %{}\n", distribution.name,
+                        distribution.description, "", 100 * box.outside, 100 * box.overlap, 100 * box.inside,
+                        100 * ball.outside, 100 * ball.overlap, 100 * ball.inside,
+                        distribution.argument.empty() ? "" : fmt::format("; ARG: {}", distribution.argument));
+  }
+  text += "\nNot built in: Embree, EGL, MPI (no question needs them yet); built-in scenes: none yet\n";
+  return text;
+}
+
+std::string list_json() {
+  nlohmann::ordered_json json;
+  json["tool"] = version();
+  json["questions"] = {methods_json<fuzz::ShaftBoxQuestion>(), methods_json<fuzz::ShaftBallQuestion>()};
+  json["distributions"] = nlohmann::ordered_json::array();
+  for (const fuzz::Distribution& distribution : fuzz::distributions()) {
+    json["distributions"].push_back({{"name", distribution.name},
+                                     {"argument", distribution.argument},
+                                     {"description", distribution.description},
+                                     {"in_every_domain", distribution.in_every_domain},
+                                     {"least_mix", mix_json(distribution.least_mix)},
+                                     {"least_mix_sphere", mix_json(distribution.least_mix_sphere)}});
+  }
+  json["not_built_in"] = {"Embree", "EGL", "MPI"};
+  return json.dump(1) + "\n";
+}
+
+}  // namespace gnomon::reports

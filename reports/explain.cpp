@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/explain.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "fuzz/replay.h"
+#include "fuzz/shaft_questions.h"
+#include "reports/picture.h"
+#include "reports/text_picture.h"
+#include "scene/float_text.h"
+
+namespace gnomon::reports {
+
+namespace {
+
+using scene::decimal_text;
+using scene::hex_text;
+
+std::string numbers_text(std::span<const double> numbers, std::string (*text)(double)) {
+  return "(" + text(numbers[0]) + ", " + text(numbers[1]) + ", " + text(numbers[2]) + ")";
+}
+
+std::string box_text(const char* name, std::span<const double> numbers) {
+  return fmt::format("  {}  from {}  to {}\n     hex  {}  {}\n", name, numbers_text(numbers, decimal_text),
+                     numbers_text(numbers.subspan(3), decimal_text), numbers_text(numbers, hex_text),
+                     numbers_text(numbers.subspan(3), hex_text));
+}
+
+template <class Case>
+std::string gap_text(const Case& c, exact::Boundary boundary, const char* what, const char* unit) {
+  const exact::Gap gap = exact::gap(c, boundary);
+  const double length = fuzz::gap_length(c, gap);
+  const scene::Scalar scalar = fuzz::is_single(c) ? scene::Scalar::f32 : scene::Scalar::f64;
+  const double ulp = scene::ulp_of(fuzz::largest_number(c), scalar);
+  return fmt::format("  {}: {}{}\n     a length of {}, {:.4g} ulps of the largest coordinate\n", what,
+                     gap.get_str(), unit, decimal_text(length), length / ulp);
+}
+
+std::string answer_words(scene::Category truth, const char* volume) {
+  switch (truth) {
+    case scene::Category::outside:
+      return fmt::format("{} has no point in common with the shaft: outside", volume);
+    case scene::Category::overlap:
+      return fmt::format("{} meets the shaft and is not within it: overlap", volume);
+    case scene::Category::inside:
+      return fmt::format("{} lies within the shaft: inside", volume);
+  }
+  return {};
+}
+
+template <class Case, class Reference>
+std::string truth_text(const Case& c, const char* volume, const char* unit) {
+  Reference reference;
+  exact::refer(std::span(&c, 1), std::span(&reference, 1));
+  std::string text = "Exactly: " + answer_words(reference.truth, volume);
+  if (reference.touches_outside) text += "; it touches: the least push makes it outside or lets it overlap";
+  if (reference.touches_inside) text += "; it touches the shaft's boundary from within";
+  text += "\n" + gap_text(c, exact::Boundary::outside, "gap to outside (positive: outside)", unit);
+  return text + gap_text(c, exact::Boundary::inside, "gap to inside (positive: not inside)", unit);
+}
+
+bool is_box(const scene::CorpusLine& line) {
+  return line.question == fuzz::ShaftBoxQuestion::id;
+}
+
+std::vector<double> numbers_of_line(const scene::CorpusLine& line) {
+  if (!is_box(line) && line.question != fuzz::ShaftBallQuestion::id) {
+    line.fail("a question (shaft-box, shaft-sphere)", "\"" + line.question + "\"");
+  }
+  return line.numbers(is_box(line) ? fuzz::ShaftBoxQuestion::number_count
+                                   : fuzz::ShaftBallQuestion::number_count);
+}
+
+}  // namespace
+
+std::string explain(const scene::CorpusLine& line) {
+  const std::vector<double> numbers = numbers_of_line(line);
+  const std::span<const double> all(numbers);
+  const fuzz::ReplayResult replayed = fuzz::replay({line}, {});  // also refuses what is no case
+  const bool single = std::all_of(numbers.begin(), numbers.end(), scene::is_float);
+
+  std::string text = fmt::format("{}:{}: {} ({})\n", line.file, line.line, line.question,
+                                 single ? "all numbers are floats" : "double precision");
+  text += box_text("A", all.first(6)) + box_text("B", all.subspan(6, 6));
+  if (is_box(line)) {
+    text += box_text("T", all.subspan(12, 6)) + "\n";
+    const auto c = fuzz::case_of<scene::ShaftBoxCase>(all);
+    text += truth_text<scene::ShaftBoxCase, exact::ShaftBoxReference>(c, "the box T", "");
+  } else {
+    text += fmt::format("  T  centre {}  radius {}\n     hex  {}  {}\n\n",
+                        numbers_text(all.subspan(12), decimal_text), decimal_text(numbers[15]),
+                        numbers_text(all.subspan(12), hex_text), hex_text(numbers[15]));
+    const auto c = fuzz::case_of<scene::ShaftBallCase>(all);
+    text +=
+        truth_text<scene::ShaftBallCase, exact::ShaftBallReference>(c, "the ball T", " (a squared length)");
+  }
+  text += "\nThe methods say:\n";
+  for (const fuzz::ReplayLine& by : replayed.lines) {
+    text += fmt::format("  {:<16}{:<10}{}\n", by.method, by.answer, by.verdict);
+  }
+  if (const std::optional<ShaftCase> c = shaft_case(line.question, numbers, single ? "f32" : "f64")) {
+    text += "\n" + text_picture(*c);
+  }
+  return text;
+}
+
+std::string explain_svg(const scene::CorpusLine& line) {
+  const std::vector<double> numbers = numbers_of_line(line);
+  const bool single = std::all_of(numbers.begin(), numbers.end(), scene::is_float);
+  return case_picture_svg(line.question, numbers, single ? "f32" : "f64");
+}
+
+}  // namespace gnomon::reports

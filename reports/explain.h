@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One case in words, for people.
+#pragma once
+
+#include <string>
+
+#include "scene/corpus.h"
+
+namespace gnomon::reports {
+
+/// The case in words, decimals and hex floats, its exact answer with the gap to both boundaries as rationals,
+/// what each method says of it, and a picture in characters, looked at along the axis that the deciding plane
+/// leaves out. Throws scene::InputError for a line that is no case.
+[[nodiscard]] std::string explain(const scene::CorpusLine& line);
+
+/// The same case as a picture (SVG).
+[[nodiscard]] std::string explain_svg(const scene::CorpusLine& line);
+
+}  // namespace gnomon::reports
