@@ -123,13 +123,14 @@ double gap_length(const ShaftBoxCase&, const exact::Gap& gap) {
 }
 
 double gap_length(const ShaftBallCase& c, const exact::Gap& gap) {
-  // d^2 - r^2 = (d - r)(d + r). Its size can be below the smallest double where that of the length is not.
-  const exact::Gap square = exact::Gap(c.t.radius) * exact::Gap(c.t.radius);
-  const exact::Gap distance_square =
-      abs(gap) <= square || gap > 0 ? exact::Gap(gap + square) : exact::Gap(-gap - square);
-  const double sum = std::sqrt(std::max(0.0, distance_square.get_d())) + c.t.radius;
-  if (!(sum > 0)) return gap == 0 ? 0 : std::copysign(std::sqrt(std::fabs(gap.get_d())), sgn(gap));
-  return exact::Gap(gap / exact::Gap(sum)).get_d();
+  // d^2 - r^2 = (d - r)(d + r), in GMP's floats: the squares of doubles leave the range of doubles.
+  constexpr unsigned kBits = 256;
+  const mpf_class radius(c.t.radius, kBits);
+  const mpf_class difference(gap, kBits);
+  mpf_class square(difference + radius * radius, kBits);
+  if (square < 0) square = 0;
+  const mpf_class sum(sqrt(square) + radius, kBits);
+  return sum == 0 ? 0.0 : mpf_class(difference / sum, kBits).get_d();
 }
 
 }  // namespace gnomon::fuzz

@@ -218,6 +218,8 @@ ResultFile read_file(const std::filesystem::path& path) {
     const auto end = bytes.begin() + static_cast<std::ptrdiff_t>(std::min(bytes.size(), error.byte));
     const auto line = static_cast<std::size_t>(std::count(bytes.begin(), end, '\n')) + 1;
     throw scene::InputError(name, line, fmt::format("expected JSON, parsing stopped at byte {}", error.byte));
+  } catch (const Json::exception& error) {  // a number beyond double's range
+    throw scene::InputError(name, 0, fmt::format("expected JSON, {}", error.what()));
   }
 
   const Node top(json, name, "the top");

@@ -5,14 +5,15 @@
 #include <cmath>
 #include <limits>
 
+#include "scene/scalar.h"
+
 namespace gnomon::reports {
 namespace {
 
 template <class F>
 double step_once(double x, bool up) {
   constexpr F kMost = std::numeric_limits<F>::max();
-  const F value = static_cast<F>(std::clamp(x, static_cast<double>(-kMost), static_cast<double>(kMost)));
-  return static_cast<double>(std::nextafter(value, up ? kMost : -kMost));
+  return static_cast<double>(std::nextafter(static_cast<F>(x), up ? kMost : -kMost));
 }
 
 scene::Box<double> box_at(std::span<const double> numbers) {
@@ -48,7 +49,7 @@ std::optional<ShaftCase> shaft_case(std::string_view question, std::span<const d
   ShaftCase shaft;
   shaft.a = box_at(numbers);
   shaft.b = box_at(numbers.subspan(6));
-  shaft.single = scalar == "f32";
+  shaft.single = scalar == "f32" && std::all_of(numbers.begin(), numbers.end(), scene::is_float);
   bool valid = scene::is_valid(shaft.a) && scene::is_valid(shaft.b);
   if (is_ball) {
     shaft.ball = scene::Ball<double>{{numbers[12], numbers[13], numbers[14]}, numbers[15]};

@@ -17,14 +17,15 @@ struct ShaftCase {
   scene::Box<double> a, b;
   std::optional<scene::Box<double>> box;
   std::optional<scene::Ball<double>> ball;
-  bool single = false;  ///< the numbers are meant for float32
+  bool single = false;  ///< the case is of float32, and all its numbers are
 
   /// The distance from the case's largest coordinate to its neighbour in the case's scalar; a power of two, >
   /// 0.
   [[nodiscard]] double ulp() const;
 };
 
-/// The next number of the case's scalar above x (below for step < 0), |step| times; stops at the largest one.
+/// The next number of float32 (single, x is one) or float64 above x, below for step < 0, |step| times; stops
+/// at the largest one.
 [[nodiscard]] double neighbour(double x, int step, bool single);
 
 /// Nothing for another question, a wrong count, or numbers that are no boxes and ball.

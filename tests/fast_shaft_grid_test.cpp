@@ -141,6 +141,18 @@ TEST(FastShaftGrid, BallTwinsInIntegers) {
       scene::ShaftBallCase c{as_double(grid_box(random, 6)), as_double(grid_box(random, 6)), {}};
       for (double& x : c.t.centre) x = random.between(-1, 9);
       c.t.radius = random.below(4);
+      if (i % 4 == 1) {  // far apart, sharing some sides, the ball between them: what "printed" calls inside
+        for (int axis = 0; axis < 3; ++axis) {
+          if (axis == 0 || random.chance(30)) {
+            c.b.lo(axis) = c.a.hi(axis) + 9;
+            c.b.hi(axis) = c.b.lo(axis) + random.below(4);
+          } else {
+            c.b.lo(axis) = c.a.lo(axis);
+            c.b.hi(axis) = c.a.hi(axis);
+          }
+          c.t.centre[static_cast<std::size_t>(axis)] = std::round((c.a.lo(axis) + c.b.hi(axis)) / 2);
+        }
+      }
       cases.push_back(c);
     }
   }

@@ -41,13 +41,15 @@ class HullProgram {
 
   Program& operator*() { return program_; }
 
-  /// Subtracts the variables 16..18, kept to `t`, from the combination: a point common to the hull and to t.
+  /// Subtracts a combination of the corners of `t`, by the variables 16..23: a point common to the hull and to
+  /// t. (Variables with upper bounds would be fewer, and the solver's certificates fail on some of those.)
   void subtract_point_of(const scene::Box<double>& t) {
-    for (int axis = 0; axis < 3; ++axis) {
-      program_.set_a(16 + axis, axis, -1);
-      program_.set_l(16 + axis, true, t.lo(axis));
-      program_.set_u(16 + axis, true, t.hi(axis));
+    for (int corner = 0; corner < 8; ++corner) {
+      for (int axis = 0; axis < 3; ++axis)
+        program_.set_a(16 + corner, axis, corner >> axis & 1 ? -t.hi(axis) : -t.lo(axis));
+      program_.set_a(16 + corner, 4, 1);
     }
+    program_.set_b(4, 1);
   }
 
   [[nodiscard]] Solution solve_linear() const {
@@ -77,9 +79,8 @@ inline std::optional<bool> origin_is_interior(const scene::ShaftBoxCase& c) {
   for (int direction = 0; direction < 6; ++direction) {
     HullProgram lp(c.a, c.b);
     lp.subtract_point_of(c.t);
-    (*lp).set_a(19, direction % 3, direction < 3 ? -1 : 1);
-    (*lp).set_u(19, true, 1);
-    (*lp).set_c(19, -1);  // the way to go, at most 1, as large as can be
+    (*lp).set_a(24, direction % 3, direction < 3 ? -1 : 1);
+    (*lp).set_c(24, -1);  // the way to go, as large as can be
     const Solution solution = lp.solve_linear();
     if (solution.is_infeasible()) return std::nullopt;
     if (!CGAL::is_negative(solution.objective_value())) return false;
