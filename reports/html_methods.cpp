@@ -107,7 +107,7 @@ std::string methods_section(std::span<const ResultFile> files) {
         "<tr><th scope=\"row\"><span class=\"dot t-{0}\"></span>{1}<small>{0}, promise: {2}</small></th><td "
         "class=\"word "
         "{3}\">{4}</td><td>{5}</td><td class=\"num\">{6}</td></tr>\n",
-        escaped(s.tier), escaped(s.method), escaped(s.promise), word.look, word.word, sentence(s, apart),
+        escaped(s.tier), escaped(s.label), escaped(s.promise), word.look, word.word, sentence(s, apart),
         speed(s));
   }
   return out + "</tbody></table></section>\n";

@@ -206,7 +206,7 @@ nlohmann::json question_json(const QuestionData& question) {
 std::string untimed_note(const QuestionData& question) {
   std::string names;
   for (const Summary& s : question.pooled) {
-    if (!s.ns) names += (names.empty() ? "" : ", ") + escaped(s.method);
+    if (!s.ns) names += (names.empty() ? "" : ", ") + escaped(s.label);
   }
   return names.empty() ? ""
                        : fmt::format("<p class=\"note\">Not timed, so not in the plot: {}.</p>\n", names);

@@ -15,7 +15,7 @@ std::string cell(std::uint64_t n, const char* look) {
 
 std::string name_cell(const Summary& s) {
   return fmt::format("<th scope=\"row\"><span class=\"dot t-{}\"></span>{}</th>", escaped(s.tier),
-                     escaped(s.method));
+                     escaped(s.label));
 }
 
 std::string split_table(std::span<const Summary> summaries) {

@@ -19,7 +19,7 @@ std::string promises_line(std::span<const Summary> apart) {
     if (s.promise_broken) {
       broken += fmt::format(
           "<li><code>{}</code> promised “{}” for <code>{}</code> and broke it on <code>{}</code>.</li>",
-          escaped(s.method), escaped(s.promise), escaped(s.question), escaped(s.distribution));
+          escaped(s.label), escaped(s.promise), escaped(s.question), escaped(s.distribution));
     }
   }
   if (!broken.empty()) {
@@ -32,7 +32,7 @@ std::string promises_line(std::span<const Summary> apart) {
 }
 
 std::string named(const Summary& s) {
-  return fmt::format("<b class=\"t-{}\">{}</b>", escaped(s.tier), escaped(s.method));
+  return fmt::format("<b class=\"t-{}\">{}</b>", escaped(s.tier), escaped(s.label));
 }
 
 /// Where a method lies most, as ", 4.6 % on NAME"; empty when it was asked on one distribution only.

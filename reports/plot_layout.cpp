@@ -51,7 +51,7 @@ std::vector<PlotPoint> plot_points(std::span<const Summary> summaries, Measure m
                           : measure == Measure::kInsides ? s.insides
                                                          : s.wasted;
     if (!s.ns || *s.ns <= 0 || errors.n == 0) continue;
-    points.push_back({s.method, s.tier, s.scalar, s.distribution, *s.ns, errors});
+    points.push_back({s.label, s.tier, s.scalar, s.distribution, *s.ns, errors});
   }
   return points;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <boost/math/distributions/binomial.hpp>
+#include <set>
 #include <stdexcept>
 #include <tuple>
 
@@ -144,7 +145,7 @@ Summary pool(std::span<const ResultRow* const> rows) {
   Summary s;
   const ResultRow& first = *rows.front();
   s.question = first.question;
-  s.method = first.method;
+  s.method = s.label = first.method;
   s.promise = first.promise;
   s.tier = tier_of(first);
   s.scalar = first.scalar;
@@ -175,6 +176,11 @@ std::vector<Summary> group(std::span<const ResultFile> files, Grouping grouping)
     for (const Source& source : sources) rows.push_back(source.row);
     summaries.push_back(apart && rows.size() == 1 ? summarise(*rows.front()) : pool(rows));
     if (apart) summaries.back().distribution = std::get<4>(key);
+  }
+  std::map<std::pair<std::string, std::string>, std::set<std::string>> scalars;
+  for (const Summary& s : summaries) scalars[{s.question, s.method}].insert(s.scalar);
+  for (Summary& s : summaries) {
+    if (scalars[{s.question, s.method}].size() > 1) s.label += " " + s.scalar;
   }
   return summaries;
 }

@@ -22,6 +22,7 @@ struct Share {
 /// A method's counts over one or more rows of the same question, method and scalar.
 struct Summary {
   std::string question, method, promise, tier, scalar;
+  std::string label;         ///< the method, with the scalar when group() found the method with several
   std::string distribution;  ///< empty when rows of several distributions are pooled
   std::uint64_t trials = 0, unsound = 0, waste = 0, undecided = 0, rejected = 0;
   std::uint64_t rounding = 0, model = 0, rounding_and_model = 0;
