@@ -5,6 +5,7 @@
 
 #include "fuzz/generator.h"
 #include "fuzz/witness.h"
+#include "scene/line_reader.h"
 
 namespace gnomon::fuzz {
 
@@ -32,7 +33,7 @@ void replay_line(const scene::CorpusLine& line, const std::vector<std::string>& 
   ++result.cases;
   if (line.answer) {
     if (std::find(Q::answers.begin(), Q::answers.end(), *line.answer) == Q::answers.end()) {
-      line.fail("outside, overlap or inside after \"->\"", "\"" + *line.answer + "\"");
+      line.fail("outside, overlap or inside after \"->\"", scene::in_quotes(*line.answer));
     }
     ++result.stated;
     if (*line.answer != truth) result.wrong_answers.push_back({where, *line.answer, std::string(truth)});
@@ -71,7 +72,7 @@ ReplayResult replay(const std::vector<scene::CorpusLine>& corpus, const std::vec
     } else if (line.question == ShaftBallQuestion::id) {
       replay_line<ShaftBallQuestion>(line, methods, result);
     } else {
-      line.fail("a question (shaft-box, shaft-sphere)", "\"" + line.question + "\"");
+      line.fail("a question (shaft-box, shaft-sphere)", scene::in_quotes(line.question));
     }
   }
   return result;

@@ -26,14 +26,14 @@ CorpusLine parse_line(std::string_view text, std::string_view file, std::size_t 
       if (arrow) result.fail("one \"->\"", "a second one");
       arrow = true;
     } else if (arrow) {
-      if (result.answer) result.fail("one answer after \"->\"", "\"" + word + "\" after it");
+      if (result.answer) result.fail("one answer after \"->\"", in_quotes(word) + " after it");
       result.answer = word;
     } else {
       result.words.push_back(word);
     }
   }
   if (arrow && !result.answer) result.fail("an answer after \"->\"", "the end of the line");
-  if (result.words.empty()) result.fail("a question and its numbers", "\"" + result.question + "\" alone");
+  if (result.words.empty()) result.fail("a question and its numbers", in_quotes(result.question) + " alone");
   return result;
 }
 
@@ -51,8 +51,8 @@ std::vector<double> CorpusLine::numbers(std::size_t count) const {
   values.reserve(count);
   for (const std::string& word : words) {
     const std::optional<double> value = parse_float_text(word);
-    if (!value) fail("a number", "\"" + word + "\"");
-    if (!std::isfinite(*value)) fail("a number within the range of a double", "\"" + word + "\"");
+    if (!value) fail("a number", in_quotes(word));
+    if (!std::isfinite(*value)) fail("a number within the range of a double", in_quotes(word));
     values.push_back(*value);
   }
   return values;

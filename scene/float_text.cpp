@@ -14,8 +14,9 @@ namespace gnomon::scene {
 namespace {
 
 std::optional<double> parse_hex(std::string_view digits) {
-  // A sign after the "0x" would be taken by from_chars.
-  if (digits.empty() || digits.front() == '-' || digits.front() == '+') return std::nullopt;
+  // A sign or "inf" after the "0x" would be taken by from_chars.
+  constexpr std::string_view kFirst = "0123456789abcdefABCDEF.";
+  if (digits.empty() || kFirst.find(digits.front()) == std::string_view::npos) return std::nullopt;
   double value = 0;
   const char* const end = digits.data() + digits.size();
   const auto [stop, error] = std::from_chars(digits.data(), end, value, std::chars_format::hex);
