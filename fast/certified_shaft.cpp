@@ -29,6 +29,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace gnomon::fast {
 
@@ -79,12 +80,17 @@ F box_gap(const ShaftPlane<F>& plane) {
 /// by a power of two first, so that the squares neither overflow nor vanish.
 template <class F>
 void shorten(ShaftPlane<F>& plane) {
-  const int exponent = std::ilogb(std::max(std::fabs(plane.n0), std::fabs(plane.n1)));
-  const F n0 = std::scalbn(plane.n0, -exponent), n1 = std::scalbn(plane.n1, -exponent);
-  const F length = std::sqrt(n0 * n0 + n1 * n1);
+  constexpr F kSafe = std::is_same_v<F, float> ? F(0x1p40) : F(0x1p300);
+  const F larger = std::max(std::fabs(plane.n0), std::fabs(plane.n1));
+  if (!(larger >= 1 / kSafe && larger <= kSafe)) {
+    const int exponent = std::ilogb(larger);
+    plane.n0 = std::scalbn(plane.n0, -exponent);
+    plane.n1 = std::scalbn(plane.n1, -exponent);
+  }
+  const F length = std::sqrt(plane.n0 * plane.n0 + plane.n1 * plane.n1);
   const F scale = (1 - (Constants::ball_shortening + 4) * Rounding<F>::u) / length;
-  plane.n0 = n0 * scale;
-  plane.n1 = n1 * scale;
+  plane.n0 *= scale;
+  plane.n1 *= scale;
 }
 
 template <class F>
@@ -107,9 +113,9 @@ void set_ball_threshold(ShaftPlane<F>& plane, Shaft<F>& shaft) {
   const F p = m0 * x + m1 * y;
   const F d = m0 * std::fabs(a0) + m1 * std::fabs(a1);
   const F b = m0 * std::fabs(b0 - a0) + m1 * std::fabs(b1 - a1);
-  // What underflow costs: 4 eta (X + Y) + 5 eta, doubled. The last term underflows itself, hence the ones
-  // added.
-  const F underflow = Rounding<F>::two_eta * (8 * (x + y)) + F(16) * Rounding<F>::two_eta;
+  // What underflow costs is 4 eta (X + Y) + 5 eta. The smallest normal number in eta's place matters to no
+  // shaft larger than 1e-30 (floats), and spares every other one the processor's slow path for denormals.
+  const F underflow = std::numeric_limits<F>::min() * (1 + x + y);
   constexpr F inflate = F(1.001);  // 3.002 / 3, and the rounding of these sums
   const F outside = inflate * u *
                         (F(Constants::ball_outside_p) * p + F(Constants::ball_outside_d) * d +
@@ -156,7 +162,8 @@ Shaft<F> form_certified_ball_shaft(const scene::Box<F>& a, const scene::Box<F>& 
   // The squared-distance test keeps wrongly what is within r (1 + 11 u) and the root of 20 eta; the sides'
   // test says "overlap" wrongly within 7 u r; planes within 30 u r on top of their base.
   shaft.stated_gap.per_radius = 32 * u;
-  shaft.stated_gap.base += std::sqrt(16 * Rounding<F>::two_eta);
+  constexpr F kRootOf32Eta = std::is_same_v<F, float> ? F(0x1p-72) : F(0x1p-534);  // rounded up
+  shaft.stated_gap.base += kRootOf32Eta;
   return shaft;
 }
 
