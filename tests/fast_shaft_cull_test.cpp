@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The floating-point cull tests of boxes and balls: by hand, on small integers where floats are exact, and the
-// errata of print.
+// The floating-point cull tests of boxes and balls: by hand, on small integers where floats are exact, and
+// the errata of print.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -39,17 +39,17 @@ struct BoxByHand {
 
 TEST(FastShaftCull, BoxesByHand) {
   const BoxByHand table[] = {
-      {{{6, 0, 0, 7, 1, 1}}, Category::outside, Category::outside},              // beyond the extent box
-      {{{0, 0, 2, 5, 5, 3}}, Category::outside, Category::outside},              // above it
-      {{{3, 0, 0, 4, 1, 1}}, Category::outside, Category::outside},              // within it, beyond a plane
-      {{{0, 3, 0, 1, 4, 1}}, Category::outside, Category::outside},              // beyond the other plane
-      {{{3, 1, 0, 4, 2, 1}}, Category::overlap, Category::overlap},              // touches a plane at (3, 2)
-      {{{3, 2, 0, 4, 3, 1}}, Category::overlap, Category::overlap},              // crosses the plane
-      {{{2, 2, 0, 3, 3, 2}}, Category::overlap, Category::overlap},              // sticks out of the extent box
-      {{{2, 2, 0, 3, 3, 1}}, Category::inside, Category::inside},                // flush with four sides
+      {{{6, 0, 0, 7, 1, 1}}, Category::outside, Category::outside},  // beyond the extent box
+      {{{0, 0, 2, 5, 5, 3}}, Category::outside, Category::outside},  // above it
+      {{{3, 0, 0, 4, 1, 1}}, Category::outside, Category::outside},  // within it, beyond a plane
+      {{{0, 3, 0, 1, 4, 1}}, Category::outside, Category::outside},  // beyond the other plane
+      {{{3, 1, 0, 4, 2, 1}}, Category::overlap, Category::overlap},  // touches a plane at (3, 2)
+      {{{3, 2, 0, 4, 3, 1}}, Category::overlap, Category::overlap},  // crosses the plane
+      {{{2, 2, 0, 3, 3, 2}}, Category::overlap, Category::overlap},  // sticks out of the extent box
+      {{{2, 2, 0, 3, 3, 1}}, Category::inside, Category::inside},    // flush with four sides
       {{{2.25f, 2.25f, 0.25f, 2.5f, 2.5f, 0.5f}}, Category::inside, Category::inside},
-      {{{5, 5, 1, 6, 6, 2}}, Category::overlap, Category::overlap},              // touches at a corner
-      {{{-1, -1, -1, 9, 9, 9}}, Category::overlap, Category::overlap},           // holds everything
+      {{{5, 5, 1, 6, 6, 2}}, Category::overlap, Category::overlap},     // touches at a corner
+      {{{-1, -1, -1, 9, 9, 9}}, Category::overlap, Category::overlap},  // holds everything
       {{{0.25f, 0.25f, 0.25f, 0.5f, 0.5f, 0.5f}}, Category::inside, Category::overlap},  // within A: S2b
       {{{0.5f, 0.5f, 0.5f, 1.25f, 1.25f, 1}}, Category::inside, Category::overlap},      // meets A: S2b
   };
@@ -80,7 +80,7 @@ TEST(FastShaftCull, BallsByHand) {
       {{{2.5f, 2.5f, 0.5f}, 0.5f}, Category::inside, Category::inside, Category::overlap},  // S7: too deep
       {{{2.5f, 2.5f, 0.5f}, 0.25f}, Category::inside, Category::inside, Category::overlap},
       {{{2.5f, 2.5f, 0.5f}, 0.75f}, Category::overlap, Category::overlap, Category::overlap},  // sides
-      {{{0.5f, 0.5f, 0.5f}, 0.25f}, Category::inside, Category::inside, Category::overlap},  // within A
+      {{{0.5f, 0.5f, 0.5f}, 0.25f}, Category::inside, Category::inside, Category::overlap},    // within A
       {{{2.5f, 2.5f, 0.5f}, 0}, Category::inside, Category::inside, Category::overlap},
       {{{2.5f, 3.75f, 0.5f}, 0.5f}, Category::overlap, Category::overlap, Category::overlap},
   };
@@ -98,7 +98,8 @@ TEST(FastShaftCull, BallsByHand) {
   }
 }
 
-/// Claim S7, the unsound half of the erratum: printed, a ball that sticks out of every plane a little is inside.
+/// Claim S7, the unsound half of the erratum: printed, a ball that sticks out of every plane a little is
+/// inside.
 TEST(FastShaftCull, PrintedSphereTestSaysInsideOfABallThatSticksOut) {
   const Box<float> a{{0, 0, 0, 1, 9, 9}}, b{{8, 3, 0, 9, 6, 9}};  // planes past y = 0 and y = 9
   const Ball<float> t{{4.5f, 7, 4.5f}, 1.5f};

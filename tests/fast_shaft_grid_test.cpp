@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// On small integers single precision is exact: there the fast tests have to be their exact twins, and what goes
-// wrong is the fault of a step that leaves the integers.
+// On small integers single precision is exact: there the fast tests have to be their exact twins, and what
+// goes wrong is the fault of a step that leaves the integers.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -63,7 +63,8 @@ TEST(FastShaftGrid, BoxesAreExactWithPlanesAsFormed) {
   Random random(41);
   std::vector<scene::ShaftBoxCase> cases;
   for (int i = 0; i < affordable(240000); ++i) {
-    const Box<float> a = grid_box(random, 5), b = grid_box(random, 5), t = grid_box(random, i % 2 == 0 ? 1 : 4);
+    const Box<float> a = grid_box(random, 5), b = grid_box(random, 5),
+                     t = grid_box(random, i % 2 == 0 ? 1 : 4);
     cases.push_back({as_double(a), as_double(b), as_double(t)});
   }
   std::vector<exact::ShaftBoxReference> references(cases.size());
@@ -76,8 +77,8 @@ TEST(FastShaftGrid, BoxesAreExactWithPlanesAsFormed) {
     expect_exact_on_grid<float>(cases[i], r);
     expect_exact_on_grid<double>(cases[i], r);
     // The same box test on normalised planes, as the paper's shared plane set invites.
-    const fast::Shaft<float> unit = fast::form_shaft(as_scalar<float>(cases[i].a), as_scalar<float>(cases[i].b),
-                                                     Normals::unit);
+    const fast::Shaft<float> unit =
+        fast::form_shaft(as_scalar<float>(cases[i].a), as_scalar<float>(cases[i].b), Normals::unit);
     const Category answer = fast::classify(unit, as_scalar<float>(cases[i].t)).answer;
     false_culls_of_unit += answer == Category::outside && r.truth != Category::outside;
     false_insides_of_unit += answer == Category::inside && r.truth != Category::inside;
@@ -124,7 +125,8 @@ IntegerTwins integer_twins(const scene::ShaftBallCase& c) {
     printed_within &= v > 0 || v * v < reach;
     clear &= std::labs(v * v - reach) * 1000 > n0 * n0 + n1 * n1;
   }
-  const bool meets_one = square_of_distance(c.t.centre, c.a) <= r * r || square_of_distance(c.t.centre, c.b) <= r * r;
+  const bool meets_one =
+      square_of_distance(c.t.centre, c.a) <= r * r || square_of_distance(c.t.centre, c.b) <= r * r;
   if (apart) return {Category::outside, Category::outside, clear};
   return {within ? Category::inside : Category::overlap,
           !meets_one && printed_within ? Category::inside : Category::overlap, clear};
@@ -171,7 +173,8 @@ TEST(FastShaftGrid, BallTwinsInIntegers) {
       return (answer == Category::outside || answer == Category::inside) && answer != truth;
     };
     const Box<float> a = as_scalar<float>(c.a), b = as_scalar<float>(c.b);
-    const scene::Ball<float> t{{float(c.t.centre[0]), float(c.t.centre[1]), float(c.t.centre[2])}, float(c.t.radius)};
+    const scene::Ball<float> t{{float(c.t.centre[0]), float(c.t.centre[1]), float(c.t.centre[2])},
+                               float(c.t.radius)};
     const fast::Shaft<float> unit = fast::form_shaft(a, b, Normals::unit);
     const fast::Shaft<float> formed = fast::form_shaft(a, b, Normals::as_formed);
     const Category naive = fast::classify(unit, t).answer, slabs = fast::classify_by_slabs(formed, t);

@@ -177,7 +177,8 @@ TEST(FastShaft, RoundingConstants) {
 }
 
 template <class F>
-void expect_same_but_for_thresholds(const Shaft<F>& certified, const Shaft<F>& naive, const std::string& text) {
+void expect_same_but_for_thresholds(const Shaft<F>& certified, const Shaft<F>& naive,
+                                    const std::string& text) {
   ASSERT_EQ(certified.plane_count, naive.plane_count) << text;
   EXPECT_EQ(certified.extent, naive.extent) << text;
   EXPECT_EQ(certified.a, naive.a) << text;

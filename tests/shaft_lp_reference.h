@@ -41,8 +41,8 @@ class HullProgram {
 
   Program& operator*() { return program_; }
 
-  /// Subtracts a combination of the corners of `t`, by the variables 16..23: a point common to the hull and to
-  /// t. (Variables with upper bounds would be fewer, and the solver's certificates fail on some of those.)
+  /// Subtracts a combination of the corners of `t`, by the variables 16..23: a point common to the hull and
+  /// to t. (Variables with upper bounds would be fewer, and the solver's certificates fail on some of those.)
   void subtract_point_of(const scene::Box<double>& t) {
     for (int corner = 0; corner < 8; ++corner) {
       for (int axis = 0; axis < 3; ++axis)
