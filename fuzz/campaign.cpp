@@ -158,7 +158,9 @@ RowResult row_of(const Batch<Q>& batch, const Method<Q>& method, const Tally& ta
   };
   if (tally.largest.known()) {
     const typename Q::Case c = case_of_trial(tally.largest.trial());
-    const double length = gap_length(c, tally.largest.gap());
+    const bool outer = exact::gap(c, exact::Boundary::outside) == tally.largest.gap();
+    const double length =
+        gap_length(c, tally.largest.gap(), outer ? exact::Boundary::outside : exact::Boundary::inside);
     row.worst = WorstGap{tally.largest.gap(), length, length / scene::ulp_of(largest_number(c), batch.scalar),
                          tally.largest.trial()};
   }

@@ -118,17 +118,22 @@ double largest_number(const ShaftBallCase& c) {
   return most;
 }
 
-double gap_length(const ShaftBoxCase&, const exact::Gap& gap) {
+double gap_length(const ShaftBoxCase&, const exact::Gap& gap, exact::Boundary) {
   return gap.get_d();
 }
 
-double gap_length(const ShaftBallCase& c, const exact::Gap& gap) {
-  // d^2 - r^2 = (d - r)(d + r), in GMP's floats: the squares of doubles leave the range of doubles.
+double gap_length(const ShaftBallCase& c, const exact::Gap& gap, exact::Boundary boundary) {
+  // In GMP's floats: the squares of doubles leave the range of doubles.
   constexpr unsigned kBits = 256;
   const mpf_class radius(c.t.radius, kBits);
   const mpf_class difference(gap, kBits);
-  mpf_class square(difference + radius * radius, kBits);
+  // The square of d or x, the centre's distance.
+  const bool outside = boundary == exact::Boundary::outside;
+  mpf_class square(radius * radius, kBits);
+  square += outside ? difference : mpf_class(-difference, kBits);
+  if (!outside && square < 0) return mpf_class(radius + sqrt(mpf_class(-square, kBits)), kBits).get_d();
   if (square < 0) square = 0;
+  // The difference of two squares over their sum: no cancellation.
   const mpf_class sum(sqrt(square) + radius, kBits);
   return sum == 0 ? 0.0 : mpf_class(difference / sum, kBits).get_d();
 }

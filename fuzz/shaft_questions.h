@@ -62,9 +62,13 @@ template <class Case>
 [[nodiscard]] double largest_number(const scene::ShaftBoxCase& c);
 [[nodiscard]] double largest_number(const scene::ShaftBallCase& c);
 
-/// A gap as a length: of boxes it is one; of balls it is a squared length d^2 - r^2, whose length is d - r.
-[[nodiscard]] double gap_length(const scene::ShaftBoxCase& c, const exact::Gap& gap);
-[[nodiscard]] double gap_length(const scene::ShaftBallCase& c, const exact::Gap& gap);
+/// The gap to a boundary as a length: of boxes it is one; of balls it is made of squares. Outside, d^2 - r^2
+/// tells the length d - r. Inside, r^2 - x^2 tells r - x for a centre that keeps x from the deciding side,
+/// and r^2 + x^2 tells r + x for one that lies x beyond it.
+[[nodiscard]] double gap_length(const scene::ShaftBoxCase& c, const exact::Gap& gap,
+                                exact::Boundary boundary);
+[[nodiscard]] double gap_length(const scene::ShaftBallCase& c, const exact::Gap& gap,
+                                exact::Boundary boundary);
 
 /// The answer of a twin, which the reference knows.
 template <class Reference>

@@ -71,7 +71,7 @@ Witness make_witness(const Method<Q>& method, scene::Scalar scalar, const typena
   witness.case_text = scene::corpus_text(Q::id, numbers, witness.reference);
   witness.original_text = scene::corpus_text(Q::id, numbers_of(c), name_of(original.truth));
   witness.gap = exact::gap(small, Q::boundary(fault));
-  witness.gap_length = gap_length(small, witness.gap);
+  witness.gap_length = gap_length(small, witness.gap, Q::boundary(fault));
   witness.gap_ulps = witness.gap_length / scene::ulp_of(largest_number(small), scalar);
   return witness;
 }

@@ -31,7 +31,7 @@ std::string box_text(const char* name, std::span<const double> numbers) {
 template <class Case>
 std::string gap_text(const Case& c, exact::Boundary boundary, const char* what, const char* unit) {
   const exact::Gap gap = exact::gap(c, boundary);
-  const double length = fuzz::gap_length(c, gap);
+  const double length = fuzz::gap_length(c, gap, boundary);
   const scene::Scalar scalar = fuzz::is_single(c) ? scene::Scalar::f32 : scene::Scalar::f64;
   const double ulp = scene::ulp_of(fuzz::largest_number(c), scalar);
   return fmt::format("  {}: {}{}\n     a length of {}, {:.4g} ulps of the largest coordinate\n", what,
