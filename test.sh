@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# test.sh: installs what is missing, builds, and runs every test: release, sanitizers, fuzz targets, mutants.
+# Debian 12, as root or with sudo. On demand, not here: the presets tsan and coverage, and tests/mutants.py --all.
+#   FUZZ_SECONDS=60 ./test.sh      how long each fuzz target runs
+set -euo pipefail
+cd "$(dirname "$0")"
+fuzz_seconds=${FUZZ_SECONDS:-60}
+
+step() { printf '\n== %s (%d s so far)\n' "$1" "$SECONDS"; }
+
+step "packages"
+cmake/install-packages.sh build dev
+if apt-cache show coq >/dev/null 2>&1 && [ -f proofs/CMakeLists.txt ]; then cmake/install-packages.sh proofs; fi
+
+step "release: build and test"
+cmake --preset release -DGNOMON_TESTS=ON >/dev/null
+cmake --build --preset release
+ctest --preset release -j "$(nproc)"
+
+step "address and undefined-behaviour sanitizers: build and test"
+cmake --preset asan >/dev/null
+cmake --build --preset asan
+ctest --preset asan -j "$(nproc)"
+
+step "fuzz targets, $fuzz_seconds s each"
+cmake --preset fuzz >/dev/null
+cmake --build --preset fuzz
+fuzz/run_targets.sh "$fuzz_seconds" build/fuzz
+
+step "mutants"
+python3 tests/mutants.py --subset
+
+step "done"
