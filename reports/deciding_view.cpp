@@ -48,6 +48,24 @@ LocalLine local_line(const HalfPlane& side, const Rational& value, const Rationa
   return {drawable(a / n), drawable(b / n), drawable(wide(value / (scale * ulp)) / n)};
 }
 
+std::vector<Decision> decisions(PictureFocus focus) {
+  if (focus == PictureFocus::kOutside) return {Decision::kOutside};
+  if (focus == PictureFocus::kInside) return {Decision::kInside};
+  return {Decision::kOutside, Decision::kInside};
+}
+
+/// The shorter side of the case in a projection: of projections that decide alike, the one with most to see
+/// is shown.
+Rational breadth(const ShaftCase& shaft, const Silhouette& s) {
+  const auto extent = [&](int axis) {
+    double lo = std::min(shaft.a.lo(axis), shaft.b.lo(axis)),
+           hi = std::max(shaft.a.hi(axis), shaft.b.hi(axis));
+    if (shaft.box) lo = std::min(lo, shaft.box->lo(axis)), hi = std::max(hi, shaft.box->hi(axis));
+    return Rational(hi) - Rational(lo);
+  };
+  return std::min(extent(s.right), extent(s.up));
+}
+
 // ---- boxes ----
 
 struct BoxChoice {
@@ -79,16 +97,20 @@ BoxChoice worst_side(const ShaftCase& shaft, const Silhouette& s, Decision decis
   return best;
 }
 
-DecidingView box_view(const ShaftCase& shaft, const std::array<Silhouette, 3>& projections) {
+DecidingView box_view(const ShaftCase& shaft, const std::array<Silhouette, 3>& projections,
+                      PictureFocus focus) {
   BoxChoice chosen;
   const Silhouette* seen = nullptr;
   Decision decision = Decision::kOutside;
-  for (const Decision d : {Decision::kOutside, Decision::kInside}) {
+  for (const Decision d : decisions(focus)) {
     BoxChoice best;
     const Silhouette* best_seen = nullptr;
     for (const Silhouette& s : projections) {
       BoxChoice choice = worst_side(shaft, s, d);
-      if (!best.side || choice.gap > best.gap) best = choice, best_seen = &s;
+      const bool tie = best.side && choice.gap == best.gap;
+      if (!best.side || choice.gap > best.gap || (tie && breadth(shaft, s) > breadth(shaft, *best_seen))) {
+        best = choice, best_seen = &s;
+      }
     }
     if (!chosen.side || magnitude(best.gap) < magnitude(chosen.gap))
       chosen = best, seen = best_seen, decision = d;
@@ -155,7 +177,8 @@ Wide ball_gap(const BallChoice& choice, const Rational& radius, const Rational& 
   return distance + r == 0 ? 0 : sign * difference / (distance + r);
 }
 
-DecidingView ball_view(const ShaftCase& shaft, const std::array<Silhouette, 3>& projections) {
+DecidingView ball_view(const ShaftCase& shaft, const std::array<Silhouette, 3>& projections,
+                       PictureFocus focus) {
   const Rational ulp(shaft.ulp()), radius(shaft.ball->radius);
   const auto centre = [&](const Silhouette& s) {
     return ExactPoint{Rational(shaft.ball->centre.at(static_cast<std::size_t>(s.right))),
@@ -165,7 +188,7 @@ DecidingView ball_view(const ShaftCase& shaft, const std::array<Silhouette, 3>& 
   const Silhouette* seen = nullptr;
   Decision decision = Decision::kOutside;
   Wide gap = 0;
-  for (const Decision d : {Decision::kOutside, Decision::kInside}) {
+  for (const Decision d : decisions(focus)) {
     std::optional<BallChoice> best;
     const Silhouette* best_seen = nullptr;
     Wide best_gap = 0;
@@ -215,10 +238,10 @@ DecidingView ball_view(const ShaftCase& shaft, const std::array<Silhouette, 3>& 
 
 }  // namespace
 
-DecidingView deciding_view(const ShaftCase& shaft) {
+DecidingView deciding_view(const ShaftCase& shaft, PictureFocus focus) {
   const std::array<Silhouette, 3> projections = {
       silhouette(shaft.a, shaft.b, 2), silhouette(shaft.a, shaft.b, 1), silhouette(shaft.a, shaft.b, 0)};
-  return shaft.box ? box_view(shaft, projections) : ball_view(shaft, projections);
+  return shaft.box ? box_view(shaft, projections, focus) : ball_view(shaft, projections, focus);
 }
 
 }  // namespace gnomon::reports

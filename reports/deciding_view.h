@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "reports/picture.h"
 #include "reports/shaft_case.h"
 #include "reports/silhouette.h"
 
@@ -34,6 +35,6 @@ struct DecidingView {
   double to_centre_x = 0, to_centre_y = 0;  ///< ball: the direction from the point to the centre
 };
 
-[[nodiscard]] DecidingView deciding_view(const ShaftCase& shaft);
+[[nodiscard]] DecidingView deciding_view(const ShaftCase& shaft, PictureFocus focus = PictureFocus::kNearer);
 
 }  // namespace gnomon::reports

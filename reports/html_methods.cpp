@@ -71,8 +71,11 @@ std::string speed(const Summary& s) {
   std::string text = time_text(s.ns);
   if (s.reference_ns && *s.ns > 0) {
     const double factor = *s.reference_ns / *s.ns;
-    text += factor >= 1 ? fmt::format("<small>{:.3g} × faster than the reference</small>", factor)
-                        : fmt::format("<small>{:.3g} × slower than the reference</small>", 1 / factor);
+    const auto times = [](double x) {
+      return x < 1000 ? fmt::format("{:.3g}", x) : thousands(static_cast<std::uint64_t>(std::min(x, 1e18)));
+    };
+    text += factor >= 1 ? fmt::format("<small>{} × faster than the reference</small>", times(factor))
+                        : fmt::format("<small>{} × slower than the reference</small>", times(1 / factor));
   }
   return text;
 }

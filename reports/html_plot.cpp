@@ -38,7 +38,7 @@ std::string mark(const PlotPoint& p, double x, double y) {
 std::string tooltip(const PlotPoint& p) {
   return fmt::format("{} ({}): {}, {} [95 %: {} to {}]; {}", p.method, p.tier, share_text(p.errors),
                      rate_text(p.errors.rate.value), rate_text(p.errors.rate.low95),
-                     rate_text(p.errors.rate.high95), time_text(p.ns));
+                     rate_text(p.errors.rate.high95), time_text(p.true_ns));
 }
 
 std::string axes(const PlotPanel& panel, const PanelText& text) {
@@ -66,13 +66,12 @@ std::string axes(const PlotPanel& panel, const PanelText& text) {
       "<text class=\"tick\" transform=\"translate(-38 {:.0f}) rotate(-90)\" text-anchor=\"middle\">{} "
       "(log)</text>",
       height / 2, text.axis);
-  if (panel.reference_ns) {
-    const double x = panel.x.share(*panel.reference_ns) * width;
+  for (const ReferenceLine& line : panel.references) {
+    const double x = panel.x.share(line.ns) * width;
     out += fmt::format(
-        "<path class=\"reference\" d=\"M{0:.1f} 0V{1:.0f}\"/><text class=\"tick\" x=\"{2:.1f}\" "
-        "y=\"{3:.0f}\" "
-        "text-anchor=\"end\">exact reference</text>",
-        x, height, x - 4, height - 6);
+        "<path class=\"reference\" d=\"M{0:.1f} 0V{1:.0f}\"/><text class=\"tick\" "
+        "transform=\"translate({2:.1f} 2) rotate(-90)\" text-anchor=\"end\">{3}</text>",
+        x, height, x - 5, escaped(line.label));
   }
   return out;
 }
@@ -98,7 +97,7 @@ std::string panel_svg(const PlotPanel& panel, const PanelText& text, const std::
     }
     out += mark(p, x, y);
     out += fmt::format("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text></g>",
-                       x + p.label_dx, y + p.label_dy, p.label_anchor, escaped(p.method));
+                       x + p.label_dx, y + p.label_dy, p.label_anchor, escaped(p.label()));
   }
   return out + "</g></svg>\n";
 }
@@ -117,6 +116,8 @@ nlohmann::json points_json(std::span<const PlotPoint> points) {
                     {"s", p.scalar},
                     {"d", p.distribution},
                     {"x", p.ns},
+                    {"ns", p.true_ns},
+                    {"label", p.label()},
                     {"y", p.height()},
                     {"k", p.errors.k},
                     {"n", p.errors.n},
@@ -156,27 +157,16 @@ struct QuestionData {
   }
 };
 
-ReferenceTime reference_time(std::span<const Summary> summaries) {
-  double sum = 0, weight = 0;
-  for (const Summary& s : summaries) {
-    if (!s.reference_ns || *s.reference_ns <= 0) continue;
-    sum += *s.reference_ns;
-    weight += 1;
-  }
-  return weight > 0 ? ReferenceTime(sum / weight) : std::nullopt;
-}
-
 PlotPanel make_panel(const QuestionData& question, std::span<const Summary> summaries, Measure measure) {
   PlotPanel panel;
   std::vector<PlotPoint> all = plot_points(question.apart, measure);
   const std::vector<PlotPoint> pooled = plot_points(question.pooled, measure);
   all.insert(all.end(), pooled.begin(), pooled.end());
-  std::vector<double> references;
-  for (const Summary& s : question.apart) references.push_back(s.reference_ns.value_or(0));
-  panel.x = time_axis(all, references);
-  panel.y = error_axis(all);
   panel.points = plot_points(summaries, measure);
-  panel.reference_ns = reference_time(summaries);
+  panel.references = reference_lines(summaries);
+  panel.x = time_axis(panel.points, panel.references);  // of this view
+  panel.y = error_axis(all);                            // of all views, so that heights compare
+  pull_in(panel);
   place_labels(panel);
   return panel;
 }
@@ -187,18 +177,20 @@ nlohmann::json question_json(const QuestionData& question) {
     if (!question.shows(text.measure)) continue;
     const auto view = [&](const std::string& name, std::span<const Summary> summaries) {
       const PlotPanel panel = make_panel(question, summaries, text.measure);
-      nlohmann::json json = {{"name", name}, {"points", points_json(panel.points)}};
-      if (panel.reference_ns) json["reference"] = *panel.reference_ns;
+      nlohmann::json json = {
+          {"name", name}, {"x", axis_json(panel.x)}, {"points", points_json(panel.points)}};
+      json["references"] = nlohmann::json::array();
+      for (const ReferenceLine& line : panel.references) {
+        json["references"].push_back({{"x", line.ns}, {"l", line.label}});
+      }
       return json;
     };
-    nlohmann::json views = nlohmann::json::array({view("", question.pooled)});
-    for (const std::string& name : question.distributions()) views.push_back(view(name, question.on(name)));
+    nlohmann::json views = nlohmann::json::array({view("", question.pooled), view("*", question.apart)});
+    for (const std::string& name : question.distributions())
+      views.push_back(view("=" + name, question.on(name)));
     const PlotPanel frame = make_panel(question, question.pooled, text.measure);
-    panels.push_back({{"title", text.title},
-                      {"axis", text.axis},
-                      {"x", axis_json(frame.x)},
-                      {"y", axis_json(frame.y)},
-                      {"views", views}});
+    panels.push_back(
+        {{"title", text.title}, {"axis", text.axis}, {"y", axis_json(frame.y)}, {"views", views}});
   }
   return {{"name", question.name}, {"panels", panels}};
 }
@@ -252,9 +244,10 @@ std::string plot_section(std::span<const ResultFile> files) {
   std::string out = "<section id=\"plot\"><h2>Speed against error</h2>\n";
   if (data.empty()) return out + "<p>No times were measured.</p></section>\n";
   out +=
-      "<p>Down and to the left is better. Both axes are logarithmic; the dashed line is the exact reference "
+      "<p>Down and to the left is better. Both axes are logarithmic; dashed is the exact reference "
       "on the same "
-      "cases.</p>\n";
+      "cases. Times over several distributions are medians, since a few distributions take bignums "
+      "everywhere.</p>\n";
   out += kKey;
   out += "<div id=\"plot-controls\" hidden></div>\n<div id=\"plot-live\" class=\"panels\" hidden></div>\n" +
          figures;

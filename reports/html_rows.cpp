@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <cmath>
+#include <limits>
+
 #include "reports/html_sections.h"
 #include "reports/html_text.h"
 
@@ -43,8 +46,12 @@ std::string touching_cell(const ResultRow& row) {
 
 std::string gap_cell(const ResultRow& row) {
   if (!row.worst_gap) return number_cell(-1, "–", "num quiet");
-  const double ulps = row.worst_gap->ulps < 0 ? -row.worst_gap->ulps : row.worst_gap->ulps;
-  return number_cell(ulps, fmt::format("{}<small>{:.3g}</small>", ulps_text(ulps), row.worst_gap->approx));
+  if (!row.worst_gap->ulps)
+    return number_cell(std::numeric_limits<double>::max(), ulps_text({}), "num quiet");
+  const double ulps = std::abs(*row.worst_gap->ulps);
+  std::string text = ulps_text(ulps);
+  if (row.worst_gap->approx) text += fmt::format("<small>{:.3g}</small>", std::abs(*row.worst_gap->approx));
+  return number_cell(ulps, text);
 }
 
 std::string row_html(const ResultRow& row, const std::string& file, bool several_files) {

@@ -103,13 +103,13 @@ std::string thousands(std::uint64_t n) {
 
 std::string rate_text(double rate) {
   if (rate == 0) return "0";
-  if (rate == 1) return "100 %";
+  if (rate == 1) return "100\u00a0%";
   if (rate < 1e-3) {
     std::string text = fmt::format("{:.1e}", rate);
     if (text.size() == 7 && text[5] == '0') text.erase(5, 1);  // 4.5e-05 as 4.5e-5
     return text;
   }
-  return rate > 0.999 ? fmt::format("{:.5g} %", 100 * rate) : fmt::format("{:.3g} %", 100 * rate);
+  return rate > 0.999 ? fmt::format("{:.5g}\u00a0%", 100 * rate) : fmt::format("{:.3g}\u00a0%", 100 * rate);
 }
 
 std::string share_text(const Share& share) {
@@ -124,12 +124,12 @@ std::string share_html(const Share& share) {
 
 std::string time_text(std::optional<double> ns) {
   if (!ns) return "–";
-  if (*ns < 1000) return fmt::format("{:.3g} ns", *ns);
-  return *ns < 1e6 ? fmt::format("{:.3g} µs", *ns / 1e3) : fmt::format("{:.3g} ms", *ns / 1e6);
+  if (*ns < 1000) return fmt::format("{:.3g}\u00a0ns", *ns);
+  return *ns < 1e6 ? fmt::format("{:.3g}\u00a0µs", *ns / 1e3) : fmt::format("{:.3g}\u00a0ms", *ns / 1e6);
 }
 
-std::string ulps_text(double ulps) {
-  return fmt::format("{:.3g} ulp", ulps);
+std::string ulps_text(std::optional<double> ulps) {
+  return ulps ? fmt::format("{:.3g} ulp", *ulps) : "beyond any double";
 }
 
 }  // namespace gnomon::reports

@@ -24,7 +24,7 @@ namespace gnomon::reports {
 /// 1234567 as "1,234,567".
 [[nodiscard]] std::string thousands(std::uint64_t n);
 
-/// A rate in words: "12.3 %" from 0.1 % on, "4.5e-5" below, "0" for 0.
+/// A rate in words (the blank does not break): "12.3 %" from 0.1 % on, "4.5e-5" below, "0" for 0.
 [[nodiscard]] std::string rate_text(double rate);
 
 /// "0 of 66,123 (< 5.6e-5)", "204 of 66,123", or "none asked" for n = 0.
@@ -36,7 +36,7 @@ namespace gnomon::reports {
 /// "12.5 ns", "1.24 µs", or a dash for a time that was not measured.
 [[nodiscard]] std::string time_text(std::optional<double> ns);
 
-/// A gap in ulps, "0.25 ulp" or "3.1e+05 ulp".
-[[nodiscard]] std::string ulps_text(double ulps);
+/// A gap in ulps, "0.25 ulp" or "3.1e+05 ulp", or that it is beyond double's range.
+[[nodiscard]] std::string ulps_text(std::optional<double> ulps);
 
 }  // namespace gnomon::reports

@@ -32,41 +32,47 @@ std::string promises_line(std::span<const Summary> apart) {
 }
 
 std::string named(const Summary& s) {
-  return fmt::format("<b class=\"t-{}\">{}</b>", escaped(s.tier), escaped(s.label));
+  return fmt::format("<b class=\"nowrap t-{}\">{}</b>", escaped(s.tier), escaped(s.label));
 }
 
-/// Where a method lies most, as ", 4.6 % on NAME"; empty when it was asked on one distribution only.
-std::string worst_distribution(const Summary& pooled, std::span<const Summary> apart) {
+/// Where a method errs most, as ", 4.6 % on NAME"; empty when it was asked on one distribution only.
+std::string worst_distribution(const Summary& pooled, std::span<const Summary> apart, Share Summary::*share) {
   const Summary* worst = nullptr;
   for (const Summary& s : apart) {
     if (s.question != pooled.question || s.method != pooled.method || s.scalar != pooled.scalar) continue;
-    if (s.culls.k > 0 && (!worst || s.culls.rate.value > worst->culls.rate.value)) worst = &s;
+    if ((s.*share).k > 0 && (!worst || (s.*share).rate.value > (worst->*share).rate.value)) worst = &s;
   }
-  if (!worst || worst->culls.n == pooled.culls.n) return "";
-  return fmt::format(", {} on <code>{}</code>", rate_text(worst->culls.rate.value),
+  if (!worst || (worst->*share).n == (pooled.*share).n) return "";
+  return fmt::format(", {} on <code>{}</code>", rate_text((worst->*share).rate.value),
                      escaped(worst->distribution));
+}
+
+/// The method with the highest rate, as a sentence; empty when nothing was seen.
+std::string worst_text(std::span<const Summary> methods, std::span<const Summary> apart,
+                       Share Summary::*share, const char* what) {
+  const Summary* worst = nullptr;
+  for (const Summary& s : methods) {
+    if ((s.*share).k > 0 && (!worst || (s.*share).rate.value > (worst->*share).rate.value)) worst = &s;
+  }
+  if (!worst) return "";
+  return fmt::format("{}: {}, {} ({}){}. ", what, named(*worst), rate_text((worst->*share).rate.value),
+                     share_html(worst->*share), worst_distribution(*worst, apart, share));
 }
 
 /// The liars in a sentence or two.
 std::string liars_text(std::span<const Summary> methods, std::span<const Summary> apart) {
   std::string liars;
-  const Summary* worst = nullptr;
   std::size_t count = 0;
   for (const Summary& s : methods) {
     if (!s.lies()) continue;
     ++count;
     liars += (liars.empty() ? "" : ", ") + named(s);
-    if (s.culls.k > 0 && (!worst || s.culls.rate.value > worst->culls.rate.value)) worst = &s;
   }
   if (count == 0) return fmt::format("None of {} methods was caught lying. ", methods.size());
-  std::string text = fmt::format("<b class=\"bad\">{} of {} methods {}</b>: {}. ", count, methods.size(),
-                                 count == 1 ? "lies" : "lie", liars);
-  if (worst) {
-    text +=
-        fmt::format("Worst: {} is wrong on {} ({}){}. ", named(*worst), rate_text(worst->culls.rate.value),
-                    share_html(worst->culls), worst_distribution(*worst, apart));
-  }
-  return text;
+  return fmt::format("<b class=\"bad\">{} of {} methods {}</b>: {}. ", count, methods.size(),
+                     count == 1 ? "lies" : "lie", liars) +
+         worst_text(methods, apart, &Summary::culls, "Most false culls") +
+         worst_text(methods, apart, &Summary::insides, "Most false insides");
 }
 
 /// The cheapest method that was not caught and is of use, and what exactness costs.

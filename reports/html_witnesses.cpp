@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <tuple>
 
@@ -16,12 +17,14 @@ namespace {
 
 constexpr std::size_t kPictures = 24;  // a picture takes about 8 KB; the list below them has every witness
 
+/// Verdicts that cost time and nothing else; any other one is taken for the worse kind.
 bool is_waste(const ResultWitness& w) {
-  return w.verdict == "waste";
+  return w.verdict == "waste" || w.verdict == "false keep" || w.verdict == "missed inside";
 }
 
 double size_of(const ResultWitness& w) {
-  return w.gap ? std::abs(w.gap->ulps) : -1;
+  if (!w.gap) return -1;
+  return w.gap->ulps ? std::abs(*w.gap->ulps) : std::numeric_limits<double>::max();
 }
 
 /// Unsound before waste, then the larger gap, then by name: the same order for the same input.
@@ -32,35 +35,51 @@ bool worse(const ResultWitness* a, const ResultWitness* b) {
 
 std::string gap_text(const ResultWitness& w) {
   if (!w.gap) return "";
-  std::string rational = escaped(w.gap->rational);
-  if (rational.size() > 80) {
-    rational = fmt::format("<details><summary>{:.6g}, as a fraction</summary><code>{}</code></details>",
-                           w.gap->approx, rational);
-  } else {
-    rational = fmt::format("<code>{}</code> ≈ {:.6g}", rational, w.gap->approx);
+  const bool squared = w.question == "shaft-sphere";
+  std::string rational = fmt::format("<code>{}</code>", escaped(w.gap->rational));
+  if (w.gap->rational.size() > 80) {
+    rational = fmt::format("<details><summary>as a fraction</summary>{}</details>", rational);
   }
-  return fmt::format("<dt>Exact gap</dt><dd>{} = {}</dd>", rational, ulps_text(w.gap->ulps));
+  std::string length = w.gap->approx ? fmt::format("{:.6g}, ", *w.gap->approx) : "";
+  return fmt::format("<dt>Gap</dt><dd>{}{}; exactly{} {}</dd>", length, ulps_text(w.gap->ulps),
+                     squared ? ", as a square," : "", rational);
 }
 
 std::string commands(const ResultWitness& w) {
-  const std::string file = shell_word(w.name);
+  const std::string file = shell_word("witnesses/" + w.name);
   return fmt::format("gnomon replay {}\ngnomon explain {}", file, file);
+}
+
+/// The boundary on whose wrong side the answer is.
+PictureFocus focus_of(const ResultWitness& w) {
+  if (w.answer == "outside" || w.reference == "outside") return PictureFocus::kOutside;
+  return w.answer == "inside" || w.reference == "inside" ? PictureFocus::kInside : PictureFocus::kNearer;
+}
+
+std::string generated(const ResultWitness& w) {
+  if (w.as_generated.empty() || w.as_generated == w.case_line) return "";
+  return fmt::format("<details><summary>as it was found</summary><pre class=\"copy\">{}</pre></details>",
+                     escaped(w.as_generated));
 }
 
 std::string card(const ResultWitness& w) {
   std::string picture;
-  if (const auto numbers = numbers_of_case(w.case_line))
-    picture = case_picture_svg(w.question, *numbers, w.scalar);
-  return fmt::format(
+  if (const auto numbers = numbers_of_case(w.case_line)) {
+    picture = case_picture_svg(w.question, *numbers, w.scalar, focus_of(w));
+  }
+  std::string out = fmt::format(
       "<article class=\"witness\"><h3><span class=\"word {}\">{}</span> <code>{}</code> on "
-      "<code>{}</code></h3>\n<div class=\"picture\">{}</div>\n<dl>"
-      "<dt>Said</dt><dd><b>{}</b>, exactly <b>{}</b> ({}{})</dd>{}<dt>Case</dt><dd><pre "
-      "class=\"copy\">{}</pre></dd>"
-      "<dt>See for yourself</dt><dd><pre class=\"copy\">{}</pre></dd></dl></article>\n",
-      is_waste(w) ? "warn" : "bad", escaped(w.verdict), escaped(w.method), escaped(w.question), picture,
-      escaped(w.answer), escaped(w.reference), escaped(w.scalar),
-      w.distribution.empty() ? "" : ", found on " + escaped(w.distribution), gap_text(w),
-      escaped(w.case_line), escaped(commands(w)));
+      "<code>{}</code></h3>\n"
+      "<div class=\"picture\">{}</div>\n",
+      is_waste(w) ? "warn" : "bad", escaped(w.verdict), escaped(w.method), escaped(w.question), picture);
+  out += fmt::format("<dl><dt>Said</dt><dd><b>{}</b>, exactly <b>{}</b> ({}{})</dd>{}", escaped(w.answer),
+                     escaped(w.reference), escaped(w.scalar),
+                     w.distribution.empty() ? "" : ", found on " + escaped(w.distribution), gap_text(w));
+  return out +
+         fmt::format(
+             "<dt>Case, shrunk</dt><dd><pre class=\"copy\">{}</pre>{}</dd><dt>See for yourself</dt><dd><pre "
+             "class=\"copy\">{}</pre></dd></dl></article>\n",
+             escaped(w.case_line), generated(w), escaped(commands(w)));
 }
 
 std::string list_table(std::span<const ResultWitness* const> witnesses) {
@@ -96,7 +115,7 @@ std::string witness_section(std::span<const ResultFile> files) {
       "The large picture is a projection in which the deciding plane is a line; the small one is its "
       "surroundings at the scale of the floating-point grid (an ulp is that of the case's largest "
       "coordinate). "
-      "The commands run where the witness files are.</p>\n<div class=\"witnesses\">\n";
+      "The commands run where the result files are.</p>\n<div class=\"witnesses\">\n";
   std::set<std::tuple<std::string, std::string, std::string>> shown;
   for (const ResultWitness* w : all) {
     if (shown.size() == kPictures) break;

@@ -30,6 +30,7 @@ font:12px system-ui,sans-serif;color:var(--gp-ink)}
 .gp-corner{fill:var(--gp-ink)}.gp-ring{fill:none;stroke:var(--gp-cut);stroke-width:1.5}.gp-axis{fill:none;stroke:var(--gp-soft)}
 .gp-paper{fill:var(--gp-paper)}.gp-frame{fill:none;stroke:var(--gp-cut);stroke-width:1.5}.gp-grid{fill:none;stroke:var(--gp-line);stroke-width:.6}
 .gp-dots{fill:none;stroke:var(--gp-soft);stroke-width:3;stroke-linecap:round}.gp-line{stroke:var(--gp-cut);stroke-width:2;fill:none}
+.gp .gp-thin{stroke-width:1;stroke-dasharray:6 3}
 .gp-foot{stroke:var(--gp-ink);stroke-width:1.2;stroke-dasharray:3 2}
 </style>)";
 
@@ -79,10 +80,10 @@ std::string svg_number(double x) {
 }
 
 std::string case_picture_svg(std::string_view question, std::span<const double> numbers,
-                             std::string_view scalar) {
+                             std::string_view scalar, PictureFocus focus) {
   const std::optional<ShaftCase> shaft = shaft_case(question, numbers, scalar);
   if (!shaft) return {};
-  const DecidingView view = deciding_view(*shaft);
+  const DecidingView view = deciding_view(*shaft, focus);
   const OverviewPicture whole = overview(*shaft, view);
   const Text text = verdict(*shaft, view);
   const bool visible = std::abs(view.line.offset) * whole.pixels_per_ulp > 24;  // no magnification needed

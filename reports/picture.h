@@ -8,6 +8,10 @@
 
 namespace gnomon::reports {
 
+/// Which boundary a picture is about: that between outside and overlap, that between overlap and inside, or
+/// the one that the case is nearer to.
+enum class PictureFocus { kNearer, kOutside, kInside };
+
 /// An SVG picture of one case, complete in itself (own style, light and dark), for
 ///   shaft-box     18 numbers: Alo Ahi Blo Bhi Tlo Thi, three each
 ///   shaft-sphere  16 numbers: Alo Ahi Blo Bhi (three each), centre (three), radius.
@@ -22,6 +26,7 @@ namespace gnomon::reports {
 ///
 /// Empty when the question has no picture, the count is wrong, a number is not finite, lo > hi or radius < 0.
 [[nodiscard]] std::string case_picture_svg(std::string_view question, std::span<const double> numbers,
-                                           std::string_view scalar);
+                                           std::string_view scalar,
+                                           PictureFocus focus = PictureFocus::kNearer);
 
 }  // namespace gnomon::reports

@@ -91,13 +91,19 @@ std::string grid(const std::vector<double>& across, const std::vector<double>& u
   return out;
 }
 
-std::string grid_of(const ShaftCase& shaft, const DecidingView& view, double ulp, double cells_per_ulp) {
+struct Grid {
+  std::string svg;
+  bool floats = false;  // the dots are the floating-point numbers; else the lines are a plain scale
+};
+
+Grid grid_of(const ShaftCase& shaft, const DecidingView& view, double ulp, double cells_per_ulp) {
   std::vector<double> cells;
   for (double k = -kCells; k <= kCells; ++k) cells.push_back(k);
-  if (shaft.ball)
-    return grid(cells, cells, false);  // the point is not a floating-point number: a plain scale
-  return grid(floats_beside(view.corner[0], shaft, ulp, cells_per_ulp),
-              floats_beside(view.corner[1], shaft, ulp, cells_per_ulp), true);
+  if (shaft.ball) return {grid(cells, cells, false), false};  // the point is not a floating-point number
+  const std::vector<double> across = floats_beside(view.corner[0], shaft, ulp, cells_per_ulp);
+  const std::vector<double> upward = floats_beside(view.corner[1], shaft, ulp, cells_per_ulp);
+  const bool floats = !across.empty() && !upward.empty();
+  return {floats ? grid(across, upward, true) : grid(cells, cells, false), floats};
 }
 
 /// T near the corner: a box fills the quadrant behind the corner as far as it reaches, a ball lies behind its
@@ -137,11 +143,10 @@ std::string ulps(double n) {
   return n >= 1 && n < 1e5 ? fmt::format("{:.0f} ulp", n) : fmt::format("{:.3g} ulp", n);
 }
 
-std::string scale_text(const ShaftCase& shaft, int exponent, bool floats_seen) {
-  if (shaft.ball) return fmt::format("squares of {}", ulps(std::ldexp(1.0, exponent)));
-  const std::string width = ulps(std::ldexp(2 * kCells, exponent));
-  return floats_seen ? fmt::format("dots: {} numbers; {} wide", shaft.single ? "float32" : "float64", width)
-                     : width + " wide";
+std::string scale_text(const ShaftCase& shaft, int exponent, bool floats) {
+  if (!floats) return fmt::format("squares of {}", ulps(std::ldexp(1.0, exponent)));
+  return fmt::format("dots: {} numbers; {} wide", shaft.single ? "float32" : "float64",
+                     ulps(std::ldexp(2 * kCells, exponent)));
 }
 
 }  // namespace
@@ -157,10 +162,13 @@ InsetPicture inset(const ShaftCase& shaft, const DecidingView& view) {
   InsetPicture picture;
   std::string& out = picture.svg;
   out += fmt::format("<rect class=\"gp-paper\" width=\"{0:.0f}\" height=\"{0:.0f}\"/>", InsetPicture::kSize);
-  if (region.size() > 1) out += fmt::format("<path class=\"gp-shaft\" d=\"{}\"/>", path_of(region));
+  if (region.size() > 1) {
+    out += fmt::format("<path class=\"gp-shaft{}\" d=\"{}\"/>", region.size() == 2 ? " edge" : "",
+                       path_of(region));
+  }
   out += target(shaft, view, ulp, cells_per_ulp);
-  const std::string lines = grid_of(shaft, view, ulp, cells_per_ulp);
-  out += lines;
+  const Grid lines = grid_of(shaft, view, ulp, cells_per_ulp);
+  out += lines.svg;
 
   // The deciding line, right across the frame; its foot is the point of it that is nearest to the corner.
   const double nx = view.line.normal_x, ny = view.line.normal_y, c = in_cells(view.line.offset);
@@ -180,7 +188,7 @@ InsetPicture inset(const ShaftCase& shaft, const DecidingView& view) {
   say(say_in, "shaft's side");
   say(say_out, "outside");
   out += fmt::format("<rect class=\"gp-frame\" width=\"{0:.0f}\" height=\"{0:.0f}\"/>", InsetPicture::kSize);
-  picture.scale = scale_text(shaft, exponent, lines.find("gp-dots") != std::string::npos);
+  picture.scale = scale_text(shaft, exponent, lines.floats);
   return picture;
 }
 

@@ -112,8 +112,8 @@ std::string axis(char name, double lo, double hi, double length, bool single) {
   };
   constexpr double kLetter = 6.2;  // pixels: the mean width of a digit
   if (lo == hi) return text(length / 2, "middle", fmt::format("{} = {}", name, from));
-  const double needed = kLetter * static_cast<double>(from.size() + to.size() + 4);
-  if (needed > length) return text(length / 2, "middle", fmt::format("{}: {} to {}", name, from, to));
+  const double longer = kLetter * static_cast<double>(std::max(from.size(), to.size()) + 1);
+  if (longer > length / 2) return text(length / 2, "middle", fmt::format("{}: {} to {}", name, from, to));
   return text(0, "start", from) +
          text(length / 2, "middle", fmt::format("<tspan class=\"gp-axis-name\">{}</tspan>", name)) +
          text(length, "end", to);
@@ -131,6 +131,27 @@ std::string axes(const ShaftCase& shaft, const Silhouette& s, const Frame& f) {
              "transform=\"translate(0 -18)\">{}</g></g>",
              svg_number(kLeft - 6), svg_number(f.up.lo()), svg_number(upward),
              axis(kAxes[s.up], y0, y1, upward, shaft.single));
+}
+
+/// The deciding line from edge to edge; one ulp is `right` and `up` pixels.
+std::string deciding_line(const DecidingView& view, double cx, double cy, double right, double up) {
+  const LocalLine& line = view.line;
+  const double foot_x = cx - line.offset * line.normal_x * right,
+               foot_y = cy + line.offset * line.normal_y * up;
+  double dx = -line.normal_y * right, dy = -line.normal_x * up;
+  const double length = std::max(std::abs(dx), std::abs(dy));
+  if (!(length > 0) || !std::isfinite(foot_x) || !std::isfinite(foot_y)) return "";
+  constexpr double kReach = 2 * OverviewPicture::kHeight;
+  dx *= kReach / length;
+  dy *= kReach / length;
+  const double width = OverviewPicture::kWidth - kLeft - kRight + 12,
+               height = OverviewPicture::kHeight - kTop - kBottom;
+  // A nested svg clips at its edge.
+  return fmt::format(
+      "<svg x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\" viewBox=\"{0} {1} {2} {3}\"><path "
+      "class=\"gp-line gp-thin\" d=\"M{4} {5}L{6} {7}\"/></svg>",
+      svg_number(kLeft), svg_number(kTop), svg_number(width), svg_number(height), svg_number(foot_x - dx),
+      svg_number(foot_y - dy), svg_number(foot_x + dx), svg_number(foot_y + dy));
 }
 
 }  // namespace
@@ -165,6 +186,7 @@ OverviewPicture overview(const ShaftCase& shaft, const DecidingView& view) {
                        svg_number(f.up.length(shaft.ball->radius)));
   }
   const double cx = f.right.at(view.corner[0]), cy = f.up.at(view.corner[1]);
+  out += deciding_line(view, cx, cy, f.right.length(shaft.ulp()), f.up.length(shaft.ulp()));
   out += fmt::format(
       "<circle class=\"gp-corner\" cx=\"{0}\" cy=\"{1}\" r=\"3\"/><circle class=\"gp-ring\" cx=\"{0}\" "
       "cy=\"{1}\" r=\"8\"/>",

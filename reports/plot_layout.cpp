@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace gnomon::reports {
 namespace {
@@ -39,6 +40,10 @@ std::string time_label(double ns) {
 
 }  // namespace
 
+std::string PlotPoint::label() const {
+  return off ? fmt::format("← {} ({:.2g} ns)", method, true_ns) : method;
+}
+
 double LogAxis::share(double value) const {
   if (!(value > lo)) return 0;
   return value >= hi ? 1 : std::log(value / lo) / std::log(hi / lo);
@@ -51,21 +56,43 @@ std::vector<PlotPoint> plot_points(std::span<const Summary> summaries, Measure m
                           : measure == Measure::kInsides ? s.insides
                                                          : s.wasted;
     if (!s.ns || *s.ns <= 0 || errors.n == 0) continue;
-    points.push_back({s.label, s.tier, s.scalar, s.distribution, *s.ns, errors});
+    points.push_back({s.label, s.tier, s.scalar, s.distribution, *s.ns, false, *s.ns, errors});
   }
   return points;
 }
 
-LogAxis time_axis(std::span<const PlotPoint> points, std::span<const double> reference_ns) {
+std::vector<ReferenceLine> reference_lines(std::span<const Summary> summaries) {
+  std::map<std::string, std::vector<double>> times;
+  for (const Summary& s : summaries) {
+    if (s.reference_ns && *s.reference_ns > 0) times[s.scalar].push_back(*s.reference_ns);
+  }
+  std::vector<ReferenceLine> lines;
+  for (auto& [scalar, list] : times) {
+    std::nth_element(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(list.size() / 2), list.end());
+    lines.push_back({"reference, " + scalar, list[list.size() / 2]});
+  }
+  const auto [least, most] = std::minmax_element(lines.begin(), lines.end(),
+                                                 [](const auto& a, const auto& b) { return a.ns < b.ns; });
+  if (!lines.empty() && most->ns <= 1.25 * least->ns)
+    return {{"exact reference", (most->ns + least->ns) / 2}};
+  return lines;
+}
+
+LogAxis time_axis(std::span<const PlotPoint> points, std::span<const ReferenceLine> references) {
   double least = std::numeric_limits<double>::infinity(), most = 0;
   const auto hold = [&](double ns) {
     if (ns > 0) least = std::min(least, ns), most = std::max(most, ns);
   };
-  for (const PlotPoint& point : points) hold(point.ns);
-  for (const double ns : reference_ns) hold(ns);
+  for (const PlotPoint& point : points) {
+    if (point.tier != "trivial") hold(point.ns);
+  }
+  for (const ReferenceLine& line : references) hold(line.ns);
+  for (const PlotPoint& point : points) {
+    if (most == 0 || point.ns * 20 > least) hold(point.ns);  // near enough to the others, or there are none
+  }
   LogAxis axis;
   if (most == 0) return axis;
-  axis.lo = least / 1.5;
+  axis.lo = least / 2.5;
   axis.hi = most * 2;
   const bool wide = axis.hi / axis.lo > 300;  // ticks at 1, 10, 100, ... suffice
   for (int e = static_cast<int>(std::floor(std::log10(axis.lo))); std::pow(10.0, e) <= axis.hi; ++e) {
@@ -91,6 +118,13 @@ LogAxis error_axis(std::span<const PlotPoint> points) {
   return axis;
 }
 
+void pull_in(PlotPanel& panel) {
+  for (PlotPoint& p : panel.points) {
+    p.off = p.ns < panel.x.lo;
+    if (p.off) p.ns = panel.x.lo * std::pow(panel.x.hi / panel.x.lo, 0.03);
+  }
+}
+
 void place_labels(PlotPanel& panel) {
   std::vector<Area> taken;
   const auto at = [&](const PlotPoint& p) {
@@ -102,9 +136,13 @@ void place_labels(PlotPanel& panel) {
     // A zero's mark has an arrow below it.
     taken.push_back({x - kMark + 1, y - kMark + 1, x + kMark - 1, y + (p.errors.k == 0 ? 22 : kMark - 1)});
   }
+  for (const ReferenceLine& line : panel.references) {
+    const double x = panel.x.share(line.ns) * PlotPanel::kWidth;
+    taken.push_back({x - 16, 0, x + 2, kLetter * static_cast<double>(line.label.size()) + 4});
+  }
   for (PlotPoint& p : panel.points) {
     const auto [x, y] = at(p);
-    const double width = kLetter * static_cast<double>(p.method.size());
+    const double width = kLetter * static_cast<double>(p.label().size());
     double best_cost = std::numeric_limits<double>::infinity();
     Area best{};
     // From near to far: beside the mark, then further up and down on either side, then above it.

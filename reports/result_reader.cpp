@@ -119,7 +119,10 @@ Rate rate(const Node& node) {
 std::optional<GapText> gap(const Node& node, const char* key) {
   if (!node.has(key)) return std::nullopt;
   const Node g = node.at(key);
-  return GapText{g.at("rational").text(), g.at("approx").number(), g.at("ulps").number()};
+  const auto rounded = [&](const char* field) {
+    return g.has(field) ? std::optional(g.at(field).number()) : std::nullopt;
+  };
+  return GapText{g.at("rational").text(), rounded("approx"), rounded("ulps")};
 }
 
 ResultRow row(const Node& node) {
@@ -163,11 +166,17 @@ ResultRow row(const Node& node) {
 }
 
 ResultWitness witness(const Node& node) {
-  return {node.at("name").text(),        node.at("question").text(),
-          node.at("method").text(),      optional_text(node, "distribution"),
-          optional_text(node, "scalar"), node.at("verdict").text(),
-          node.at("answer").text(),      node.at("reference").text(),
-          node.at("case").text(),        gap(node, "gap")};
+  return {node.at("name").text(),
+          node.at("question").text(),
+          node.at("method").text(),
+          optional_text(node, "distribution"),
+          optional_text(node, "scalar"),
+          node.at("verdict").text(),
+          node.at("answer").text(),
+          node.at("reference").text(),
+          node.at("case").text(),
+          optional_text(node, "as_generated"),
+          gap(node, "gap")};
 }
 
 void read_measured(const Node& measured, ResultFile& file) {
@@ -229,6 +238,7 @@ ResultFile read_file(const std::filesystem::path& path) {
   file.kind = top.at("kind").text();
   file.tool = optional_text(top, "tool");
   file.command = top.at("command").text();
+  file.shard = optional_text(top, "shard");
   if (top.has("seed")) file.seed = top.at("seed").count();
   for (const Node& node : top.at("rows").list()) {
     if (file.kind == "fuzz") {
@@ -262,7 +272,8 @@ std::vector<ResultFile> read_result_folder(const std::filesystem::path& dir) {
   for (const auto& path : paths) {
     ResultFile file = read_file(path);
     for (const ResultFile& other : files) {
-      if (other.kind == file.kind && other.command == file.command && other.seed == file.seed) {
+      if (other.kind == file.kind && other.command == file.command && other.seed == file.seed &&
+          other.shard == file.shard) {
         throw scene::InputError(
             path.string(), 0,
             fmt::format("expected another run, found the same command and seed as in {}: its "

@@ -18,11 +18,11 @@ struct Rate {
   double high95 = 1;
 };
 
-/// How far a case is from its decision boundary: the exact number as "p/q", and roundings of it for reading.
+/// How far a case is from its decision boundary: the exact number as "p/q" (for balls of a length squared),
+/// and as a length and in ulps for reading; nothing where these are beyond double's range.
 struct GapText {
   std::string rational;
-  double approx = 0;
-  double ulps = 0;
+  std::optional<double> approx, ulps;
 };
 
 /// Counts by exact answer, then by the method's answer.
@@ -49,12 +49,14 @@ struct ResultRow {
 /// A saved disagreement.
 struct ResultWitness {
   std::string name, question, method, distribution, scalar, verdict, answer, reference, case_line;
+  std::string as_generated;  ///< the case before it was shrunk; may be empty
   std::optional<GapText> gap;
 };
 
 /// One result file. For kinds other than "fuzz" only `table` is filled: each row's plain fields as text.
 struct ResultFile {
   std::string name, kind, tool, command;
+  std::string shard;  ///< "I/N"; empty or "1/1" when the file is the whole run
   std::optional<std::uint64_t> seed;
   std::vector<ResultRow> rows;
   std::vector<ResultWitness> witnesses;

@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/distributions/binomial.hpp>
 #include <set>
 #include <stdexcept>
 #include <tuple>
+
+#include "fuzz/statistics.h"
 
 namespace gnomon::reports {
 namespace {
@@ -82,17 +83,18 @@ void add(Summary& s, const ResultRow& row) {
   s.promise_broken = s.promise_broken || row.promise_broken;
 }
 
-std::optional<double> mean_time(std::span<const ResultRow* const> rows,
-                                std::optional<double> ResultRow::*field) {
-  double sum = 0, weight = 0;
+/// Half of the rows' times are at most this. A mean would be the time of the one distribution that is slowest
+/// by far.
+std::optional<double> median_time(std::span<const ResultRow* const> rows,
+                                  std::optional<double> ResultRow::*field) {
+  std::vector<double> times;
   for (const ResultRow* row : rows) {
-    if (!(row->*field)) continue;
-    const double w = std::max(1.0, static_cast<double>(row->trials));
-    sum += w * *(row->*field);
-    weight += w;
+    if (row->*field) times.push_back(*(row->*field));
   }
-  if (weight == 0) return std::nullopt;
-  return sum / weight;
+  if (times.empty()) return std::nullopt;
+  std::sort(times.begin(), times.end());
+  const std::size_t middle = times.size() / 2;
+  return times.size() % 2 == 1 ? times[middle] : (times[middle - 1] + times[middle]) / 2;
 }
 
 /// A row and where it is from.
@@ -102,9 +104,9 @@ struct Source {
 };
 
 bool same_cases(const Source& a, const Source& b) {
-  const auto shard = [](const Source& s) { return s.file->command.find("--shard") != std::string::npos; };
+  const auto whole = [](const Source& s) { return s.file->shard.empty() || s.file->shard == "1/1"; };
   return a.file->seed && a.file->seed == b.file->seed && a.row->distribution == b.row->distribution &&
-         !shard(a) && !shard(b);
+         ((whole(a) && whole(b)) || a.file->shard == b.file->shard);
 }
 
 /// Adds a row, or lets the larger one of the same cases stand.
@@ -121,14 +123,8 @@ void count_once(std::vector<Source>& sources, Source added) {
 
 Share share_of(std::uint64_t k, std::uint64_t n) {
   if (k > n) throw std::domain_error("share_of: more errors than chances");
-  if (n == 0) return {0, 0, {0, 0, 1}};
-  using Binomial = boost::math::binomial_distribution<double>;
-  const double trials = static_cast<double>(n), errors = static_cast<double>(k);
-  Share share{k, n, {errors / trials, 0, 1}};
-  // boost's bounds are one-sided Clopper-Pearson; 2.5 % on each side makes the 95 % interval.
-  if (k > 0) share.rate.low95 = Binomial::find_lower_bound_on_p(trials, errors, 0.025);
-  if (k < n) share.rate.high95 = Binomial::find_upper_bound_on_p(trials, errors, 0.025);
-  return share;
+  const fuzz::Rate rate = fuzz::rate_of(k, n);
+  return {k, n, {rate.value, rate.low95, rate.high95}};
 }
 
 Summary summarise(const ResultRow& row) {
@@ -154,8 +150,8 @@ Summary pool(std::span<const ResultRow* const> rows) {
   s.culls = share_of(c.culls, c.cull_chances);
   s.insides = share_of(c.insides, c.inside_chances);
   s.wasted = share_of(c.wasted, c.waste_chances);
-  s.ns = mean_time(rows, &ResultRow::ns);
-  s.reference_ns = mean_time(rows, &ResultRow::reference_ns);
+  s.ns = median_time(rows, &ResultRow::ns);
+  s.reference_ns = median_time(rows, &ResultRow::reference_ns);
   return s;
 }
 

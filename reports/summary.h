@@ -34,7 +34,7 @@ struct Summary {
   /// True when an unsound answer was seen.
   [[nodiscard]] bool lies() const { return culls.k > 0 || insides.k > 0 || unsound > 0; }
 
-  std::optional<double> ns, reference_ns;  ///< means over the rows that were timed, weighted by their trials
+  std::optional<double> ns, reference_ns;  ///< medians over the rows that were timed
 };
 
 /// One row as a summary; its rates are the file's own.

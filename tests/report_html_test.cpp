@@ -121,11 +121,11 @@ TEST_F(ReportHtml, ShowsEveryRowWithItsCountsAndBounds) {
                    std::string("data-method=\"") + method + "\" data-distribution=\"" + distribution + "\"");
     }
   }
-  expect_holds(html, "7 of 400");                // the row
-  expect_holds(html, "7 of 800");                // both distributions
-  expect_holds(html, "0 of 800 (&lt; 0.46 %)");  // 1 - 0.025^(1/800)
-  expect_holds(html, "gnomon replay w1.txt");
-  expect_holds(html, "gnomon explain w1.txt");
+  expect_holds(html, "7 of 400");                     // the row
+  expect_holds(html, "7 of 800");                     // both distributions
+  expect_holds(html, "0 of 800 (&lt; 0.46\u00a0%)");  // 1 - 0.025^(1/800)
+  expect_holds(html, "gnomon replay witnesses/w1.txt");
+  expect_holds(html, "gnomon explain witnesses/w1.txt");
   expect_holds(html, "<svg xmlns=");          // the witness's picture
   expect_holds(html, "<svg class=\"plot\"");  // the still plot
   expect_holds(html, "Every promise held");
@@ -244,8 +244,8 @@ TEST_F(ReportHtml, RefusesTheSameRunTwice) {
   expect_holds(page(), "7 of 800");
   put("bad.json", replaced(result(), "\"seed\":1", "\"seed\":2"));
   expect_holds(page(), "14 of 1,600");
-  put("a.json", result("gnomon fuzz shaft-box --shard 0/2"));
-  put("bad.json", result("gnomon fuzz shaft-box --shard 1/2"));
+  put("a.json", replaced(result(), "\"seed\":1", "\"seed\":1,\"shard\":\"1/2\""));
+  put("bad.json", replaced(result(), "\"seed\":1", "\"seed\":1,\"shard\":\"2/2\""));
   expect_holds(page(), "14 of 1,600");
 }
 
@@ -272,12 +272,12 @@ TEST(ReportText, WritesNumbersForPeople) {
   EXPECT_EQ(thousands(999), "999");
   EXPECT_EQ(thousands(1234567), "1,234,567");
   EXPECT_EQ(rate_text(0), "0");
-  EXPECT_EQ(rate_text(0.1234), "12.3 %");
+  EXPECT_EQ(rate_text(0.1234), "12.3\u00a0%");
   EXPECT_EQ(rate_text(4.5e-5), "4.5e-5");
   EXPECT_EQ(rate_text(1e-12), "1.0e-12");
-  EXPECT_EQ(rate_text(0.99999), "99.999 %");
+  EXPECT_EQ(rate_text(0.99999), "99.999\u00a0%");
   EXPECT_EQ(time_text(std::nullopt), "–");
-  EXPECT_EQ(time_text(1240), "1.24 µs");
+  EXPECT_EQ(time_text(1240), "1.24\u00a0µs");
   EXPECT_EQ(shell_word("plain-name.txt"), "plain-name.txt");
   EXPECT_EQ(shell_word("it's"), "'it'\\''s'");
   EXPECT_EQ(shell_word("-rf"), "'./-rf'");

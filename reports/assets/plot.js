@@ -18,7 +18,7 @@
     return {
       title: p.m + (p.d ? " on " + p.d : ""),
       text: p.t + ", " + p.s + "\n" + count + (p.k ? " = " + percent(p.y) : "") + "\n95 %: " +
-        (p.k ? percent(p.lo) + " to " + percent(p.hi) : "below " + percent(p.hi)) + "\n" + p.x.toPrecision(3) + " ns per case"
+        (p.k ? percent(p.lo) + " to " + percent(p.hi) : "below " + percent(p.hi)) + "\n" + p.ns.toPrecision(3) + " ns per case"
     };
   }
 
@@ -53,16 +53,16 @@
         { name: "zeros", source: "points", transform: [{ type: "filter", expr: "datum.k === 0" }] }
       ],
       scales: [
-        { name: "x", type: "log", domain: [panel.x.lo, panel.x.hi], range: [0, WIDTH] },
+        { name: "x", type: "log", domain: [view.x.lo, view.x.hi], range: [0, WIDTH] },
         { name: "y", type: "log", domain: [panel.y.lo, panel.y.hi], range: [HEIGHT, 0], clamp: true },
         { name: "tint", type: "ordinal", domain: tiers, range: tiers.map(colour) },
         { name: "shape", type: "ordinal", domain: ["f32", "f64", "other"], range: ["circle", "square", "diamond"] }
       ],
-      axes: [axis("x", "bottom", "ns per case", panel.x.ticks), axis("y", "left", panel.axis, panel.y.ticks)],
-      marks: [].concat(view.reference ? [
-        { type: "rule", interactive: false, encode: { update: { x: { scale: "x", value: view.reference }, y: { value: 0 }, y2: { value: HEIGHT }, stroke: { value: colour("exact") }, strokeWidth: { value: 1.5 }, strokeDash: { value: [5, 4] } } } },
-        { type: "text", interactive: false, encode: { update: { x: { scale: "x", value: view.reference, offset: -4 }, y: { value: HEIGHT - 6 }, align: { value: "right" }, text: { value: "exact reference" }, fill: { value: colour("soft") }, fontSize: { value: 11.5 }, font: { value: "system-ui, sans-serif" } } } }
-      ] : [], [
+      axes: [axis("x", "bottom", "ns per case", view.x.ticks), axis("y", "left", panel.axis, panel.y.ticks)],
+      marks: [].concat.apply([], view.references.map(function (r) { return [
+        { type: "rule", interactive: false, encode: { update: { x: { scale: "x", value: r.x }, y: { value: 0 }, y2: { value: HEIGHT }, stroke: { value: colour("exact") }, strokeWidth: { value: 1.5 }, strokeDash: { value: [5, 4] } } } },
+        { type: "text", interactive: false, encode: { update: { x: { scale: "x", value: r.x, offset: -5 }, y: { value: 2 }, angle: { value: -90 }, align: { value: "right" }, text: { value: r.l }, fill: { value: colour("soft") }, fontSize: { value: 11.5 }, font: { value: "system-ui, sans-serif" } } } }
+      ]; })).concat([
         rule("seen", { x: x, y: { scale: "y", field: "lo" }, y2: { scale: "y", field: "hi" } }),
         rule("zeros", { x: x, y: { scale: "y", field: "y", offset: 5 }, y2: { scale: "y", field: "y", offset: 18 } }),
         { type: "symbol", from: { data: "zeros" }, interactive: false, encode: { update: { x: x, y: { scale: "y", field: "y", offset: 18 }, shape: { value: "triangle-down" }, size: { value: 26 }, fill: tint, opacity: fade } } },
@@ -73,7 +73,7 @@
         } } }
       ], labels ? [
         { type: "text", from: { data: "points" }, interactive: false, encode: { update: {
-          x: x, y: y, dx: { field: "dx" }, dy: { field: "dy" }, text: { field: "m" }, fontSize: { value: 11.5 }, font: { value: "system-ui, sans-serif" },
+          x: x, y: y, dx: { field: "dx" }, dy: { field: "dy" }, text: { field: "label" }, fontSize: { value: 11.5 }, font: { value: "system-ui, sans-serif" },
           align: { signal: "datum.a === 'start' ? 'left' : datum.a === 'end' ? 'right' : 'center'" }, fill: { value: colour("ink") }, opacity: fade
         } } }
       ] : [])
@@ -115,19 +115,15 @@
     var live = document.getElementById("plot-live");
     var question = select("Question", questions.map(function (q, i) { return [i, q.name]; }));
     var names = [];
-    questions.forEach(function (q) { q.panels.forEach(function (p) { p.views.forEach(function (v) { if (v.name && names.indexOf(v.name) < 0) names.push(v.name); }); }); });
-    var distribution = select("Distribution", [["", "all, pooled"], ["*", "all, each on its own"]].concat(names.sort().map(function (n) { return ["=" + n, n]; })));
+    questions.forEach(function (q) { q.panels.forEach(function (p) { p.views.forEach(function (v) { if (v.name[0] === "=" && names.indexOf(v.name) < 0) names.push(v.name); }); }); });
+    var distribution = select("Distribution", [["", "all, pooled"], ["*", "all, each on its own"]].concat(names.sort().map(function (n) { return [n, n.slice(1)]; })));
 
     var draw = function () {
       live.textContent = "";
       var q = questions[question.value];
       q.panels.forEach(function (panel) {
-        var view = { points: [] };
-        panel.views.forEach(function (v) {
-          if (distribution.value === "*" ? v.name : distribution.value === (v.name && "=" + v.name)) {
-            view = { points: view.points.concat(v.points), reference: distribution.value === "*" ? panel.views[0].reference : v.reference };
-          }
-        });
+        var view = panel.views.filter(function (v) { return v.name === distribution.value; })[0];
+        if (!view) return;
         var place = document.createElement("div");
         live.append(place);
         new vega["vega-view"].View(vega["vega-parser"].parse(spec(panel, view, distribution.value !== "*")),
