@@ -2,6 +2,7 @@
 #include "fuzz/campaign.h"
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
@@ -13,6 +14,12 @@
 namespace gnomon::fuzz {
 
 namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 /// All methods that share the cases of one distribution and scalar.
 template <class Q>
@@ -59,7 +66,7 @@ struct Shared {
 
 struct BatchTotals {
   std::vector<Tally> tallies;
-  double reference_ns = 0;
+  double reference_ns = 0, core_ns = 0;
 };
 
 template <class Q>
@@ -70,6 +77,7 @@ void work(const Batch<Q>& batch, const Generator<typename Q::Case>& generator, c
   const std::size_t keep = options.witnesses_per_row;
   TrialBlock<Q> block(options.seed, stream, batch.scalar, keep);
   std::vector<Tally> tallies(batch.methods.size());
+  const double start = thread_ns();
   while (!shared.failed.load(std::memory_order_relaxed)) {
     if (deadline && Clock::now() >= *deadline) break;
     const std::uint64_t taken = shared.next_chunk.fetch_add(1);
@@ -84,6 +92,7 @@ void work(const Batch<Q>& batch, const Generator<typename Q::Case>& generator, c
   const std::lock_guard lock(shared.mutex);
   for (std::size_t m = 0; m < tallies.size(); ++m) totals.tallies[m].add(tallies[m], keep);
   totals.reference_ns += block.reference_ns();
+  totals.core_ns += thread_ns() - start;
 }
 
 template <class Q>
@@ -120,7 +129,7 @@ BatchTotals run_batch(const Batch<Q>& batch, const Generator<typename Q::Case>& 
       shared.finished.wait_for(lock, std::chrono::milliseconds(200));
       if (on_share) {
         const double share =
-            deadline ? ns_since(start) * 1e-9 / seconds
+            deadline ? seconds_since(start) / seconds
                      : static_cast<double>(shared.chunks_done) * options.shards / static_cast<double>(chunks);
         on_share(std::min(1.0, share));
       }
@@ -226,14 +235,14 @@ CampaignResult run_campaign(const CampaignOptions& options, const OnProgress& on
     const Clock::time_point start = Clock::now();
     const BatchTotals totals =
         run_batch(batch, *generators[b], options, stream, options.seconds.value_or(0) * share, on_share);
-    result.seconds += ns_since(start) * 1e-9;
+    result.seconds += seconds_since(start);
+    result.core_seconds += totals.core_ns * 1e-9;
     for (std::size_t m = 0; m < batch.methods.size(); ++m) {
       result.rows.push_back(
           row_of(batch, *batch.methods[m], totals.tallies[m], totals, *generators[b], options, stream));
       result.trials += totals.tallies[m].trials;
     }
   }
-  result.core_seconds = result.seconds * options.jobs;
   return result;
 }
 

@@ -63,7 +63,7 @@ struct CampaignResult {
   std::vector<RowResult> rows;
   std::uint64_t trials = 0;  ///< over all rows
   double seconds = 0;        ///< wall time of the trials, shrinking left out
-  double core_seconds = 0;   ///< seconds times jobs
+  double core_seconds = 0;   ///< processor time of the trials, over all threads
 
   [[nodiscard]] bool promise_broken() const;
 };
