@@ -16,8 +16,6 @@ namespace {
 struct Mix {
   std::map<std::string, std::uint64_t> truths;
   std::uint64_t total = 0, touching = 0;
-
-  friend bool operator==(const Mix&, const Mix&) = default;
 };
 
 Mix mix_of(const ResultRow& row) {

@@ -244,10 +244,9 @@ std::string plot_section(std::span<const ResultFile> files) {
   std::string out = "<section id=\"plot\"><h2>Speed against error</h2>\n";
   if (data.empty()) return out + "<p>No times were measured.</p></section>\n";
   out +=
-      "<p>Down and to the left is better. Both axes are logarithmic; dashed is the exact reference "
-      "on the same "
-      "cases. Times over several distributions are medians, since a few distributions take bignums "
-      "everywhere.</p>\n";
+      "<p>Down and to the left is better. Both axes are logarithmic; dashed is the exact reference on the "
+      "same cases. "
+      "Times over several distributions are medians, since a few of these cost far more than the rest.</p>\n";
   out += kKey;
   out += "<div id=\"plot-controls\" hidden></div>\n<div id=\"plot-live\" class=\"panels\" hidden></div>\n" +
          figures;

@@ -260,6 +260,13 @@ TEST_F(ReportHtml, LeavesAnOldReportAloneWhenItFails) {
   EXPECT_THROW(write_html_report(dir_ / "in", dir_ / "taken"), std::runtime_error);
 }
 
+TEST_F(ReportHtml, TakesGapsBeyondDoubles) {
+  put("a.json",
+      replaced(replaced(result(), "\"approx\":-0.333,\"ulps\":0.5", "\"approx\":null,\"ulps\":null"),
+               "\"worst_gap\":null", R"("worst_gap":{"rational":"1/7","approx":null,"ulps":null})"));
+  expect_holds(page(), "beyond any double; exactly <code>-1/3</code>");
+}
+
 TEST_F(ReportHtml, SaysAloudWhenAPromiseIsBroken) {
   put("a.json", replaced(result(), "\"promise_broken\":false", "\"promise_broken\":true"));
   const std::string html = page();

@@ -126,6 +126,23 @@ TEST(ReportPicture, ChoosesTheInsideBoundaryWhenThatIsNearer) {
   EXPECT_EQ(view.corner, (std::array<double, 2>{2, 3.25}));
 }
 
+TEST(ReportPicture, LooksAtTheBoundaryThatIsAskedFor) {
+  const auto shaft =
+      shaft_case("shaft-box", box_case(kUnit, kFar, {2, 2, 0.25, 2.5, 3.25, 0.75}), "f64").value();
+  EXPECT_EQ(deciding_view(shaft, PictureFocus::kInside).decision, Decision::kInside);
+  const DecidingView outside = deciding_view(shaft, PictureFocus::kOutside);
+  EXPECT_EQ(outside.decision, Decision::kOutside);
+  EXPECT_EQ(outside.sign, -1);
+}
+
+TEST(ReportPicture, ShowsTheBroaderOfTwoProjectionsThatDecideAlike) {
+  // Flat in y: seen along z the case is a line; the side x <= 1 decides seen along y as well.
+  const DecidingView view =
+      view_of("shaft-box", box_case({0, 0, 0, 1, 0, 1}, {0, 0, 2, 1, 0, 3}, {1.5, 0, 0, 2, 0, 3}));
+  EXPECT_EQ(view.projection.along, 1);
+  EXPECT_EQ(view.sign, 1);
+}
+
 TEST(ReportPicture, MeasuresBalls) {
   const std::vector<double> low = {0, 0, 0, 1, 1, 1}, high = {0, 0, 4, 1, 1, 5};
   const auto ball = [&](double x, double y, double r) {
