@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// Error-free transforms in vector registers, and the sign of a plane by them. Compiled once for each
+// instruction set. Internal to fast/batch_*_exact.cpp.
+//
+// Sums: Knuth's TwoSum, exact barring overflow. Products: by a fused multiply-add where the processor has
+// one, else by Dekker's splitting; both give the exact error as long as nothing under- or overflows, hence
+// the same bits (Muller et al., Handbook of Floating-Point Arithmetic, 2nd ed., 4.3-4.4).
+#if defined(GNOMON_FAST_BATCH_ERROR_FREE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GNOMON_FAST_BATCH_ERROR_FREE_INL_H_
+#undef GNOMON_FAST_BATCH_ERROR_FREE_INL_H_
+#else
+#define GNOMON_FAST_BATCH_ERROR_FREE_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace gnomon::fast {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Doubles = hn::ScalableTag<double>;
+using VDouble = hn::Vec<Doubles>;
+using MDouble = hn::Mask<Doubles>;
+
+template <class D>
+HWY_INLINE hn::Mask<D> no_lanes(D d) {
+  return hn::FirstN(d, 0);
+}
+
+/// The unevaluated sum high + low, |low| <= u |high|.
+struct TwoDoubles {
+  VDouble high, low;
+};
+
+HWY_INLINE TwoDoubles two_sum(VDouble a, VDouble b) {
+  const VDouble sum = hn::Add(a, b);
+  const VDouble of_b = hn::Sub(sum, a);
+  return {sum, hn::Add(hn::Sub(a, hn::Sub(sum, of_b)), hn::Sub(b, of_b))};
+}
+
+HWY_INLINE TwoDoubles two_difference(VDouble a, VDouble b) {
+  const VDouble difference = hn::Sub(a, b);
+  const VDouble of_b = hn::Sub(a, difference);
+  return {difference, hn::Sub(hn::Sub(a, hn::Add(difference, of_b)), hn::Sub(b, of_b))};
+}
+
+#if HWY_NATIVE_FMA
+HWY_INLINE TwoDoubles two_product(VDouble a, VDouble b) {
+  const VDouble product = hn::Mul(a, b);
+  return {product, hn::MulSub(a, b, product)};
+}
+#else
+/// Two halves of 26 bits each (one of them signed).
+HWY_INLINE TwoDoubles split(VDouble a) {
+  const VDouble scaled = hn::Mul(a, hn::Set(Doubles(), 0x1p27 + 1));
+  const VDouble high = hn::Sub(scaled, hn::Sub(scaled, a));
+  return {high, hn::Sub(a, high)};
+}
+
+HWY_INLINE TwoDoubles two_product(VDouble a, VDouble b) {
+  const VDouble product = hn::Mul(a, b);
+  const TwoDoubles x = split(a), y = split(b);
+  VDouble error = hn::Sub(hn::Mul(x.high, y.high), product);
+  error = hn::Add(error, hn::Mul(x.high, y.low));
+  error = hn::Add(error, hn::Mul(x.low, y.high));
+  return {product, hn::Add(error, hn::Mul(x.low, y.low))};
+}
+#endif
+
+/// What is known of a sign: where `certain`, the exact value has the sign of `value`, zero included.
+struct VectorSign {
+  VDouble value;
+  MDouble certain;
+};
+
+/// Products of numbers in [kLeastFactor, kLargestFactor] have exact errors, and sums of them don't overflow.
+inline constexpr double kLeastFactor = 0x1p-450, kLargestFactor = 0x1p450;
+
+/// The sign of n0 (x - x0) + n1 (y - y0), n0 and n1 given as sums high + low, not 0 and with magnitudes in
+/// [kLeastFactor, kLargestFactor]; lanes with differences of other magnitudes, but for 0, are not certain.
+///
+/// Let u = 2^-53, p_i the two products of the high parts, e_i their errors, P = |p0| + |p1|. Exactly,
+///     value = p0 + p1 + e0 + e1 + tails + (low x low),   p0 + p1 = s + t,   e0 + e1 = w + v.
+/// Case 1: all low parts, t and v are 0. Then value = s + w, and its rounding has its sign.
+/// Case 2: rest = t + (w + (v + tails)) is computed with an error of at most 17 u^2 P: u^2 P (1 + 2 u) for
+/// the products of low parts; 6 u^2 P for tails (at most 2 u P, three roundings each); 3 u^2 P for v + tails,
+/// 3.1 u^2 P for the sum with w (at most 2 u P), 4.1 u^2 P for that with t (at most u P). The last sum s +
+/// rest keeps its sign when rounded, so |fl(s + rest)| > 32 u^2 P proves the sign. Tails may underflow: 4 eta
+/// are far below u^2 kLeastFactor^2.
+template <class Plane>
+HWY_INLINE VectorSign sign_of_plane(const Plane& plane, VDouble x, VDouble y) {
+  const Doubles d;
+  const VDouble n0 = hn::Set(d, plane.n0_high), n1 = hn::Set(d, plane.n1_high);
+  const TwoDoubles dx = two_difference(x, hn::Set(d, plane.x0));
+  const TwoDoubles dy = two_difference(y, hn::Set(d, plane.y0));
+  const TwoDoubles p0 = two_product(n0, dx.high), p1 = two_product(n1, dy.high);
+  const TwoDoubles products = two_sum(p0.high, p1.high), errors = two_sum(p0.low, p1.low);
+
+  VDouble tails = hn::Add(hn::Mul(n0, dx.low), hn::Mul(n1, dy.low));
+  const VDouble normal_tails =
+      hn::Add(hn::Mul(hn::Set(d, plane.n0_low), dx.high), hn::Mul(hn::Set(d, plane.n1_low), dy.high));
+  tails = hn::Add(tails, normal_tails);
+  const VDouble rest = hn::Add(products.low, hn::Add(errors.high, hn::Add(errors.low, tails)));
+  const VDouble value = hn::Add(products.high, rest);
+
+  const VDouble zero = hn::Zero(d);
+  const VDouble sum = hn::Add(hn::Abs(p0.high), hn::Abs(p1.high));
+  const MDouble above = hn::Gt(hn::Abs(value), hn::Mul(sum, hn::Set(d, 0x1p-101)));
+  // Or-ing bit patterns: 0 only when all are +-0.
+  const VDouble lows =
+      hn::Or(hn::Or(hn::Abs(dx.low), hn::Abs(dy.low)), hn::Or(hn::Abs(products.low), hn::Abs(errors.low)));
+  MDouble exact = hn::Eq(lows, zero);
+  if (plane.n0_low != 0 || plane.n1_low != 0) exact = no_lanes(d);
+
+  const auto in_range = [&](VDouble difference) {
+    const VDouble size = hn::Abs(difference);
+    const MDouble neither =
+        hn::And(hn::Ge(size, hn::Set(d, kLeastFactor)), hn::Le(size, hn::Set(d, kLargestFactor)));
+    return hn::Or(neither, hn::Eq(size, zero));
+  };
+  const MDouble certain = hn::And(hn::Or(above, exact), hn::And(in_range(dx.high), in_range(dy.high)));
+  return {value, certain};
+}
+
+// NOLINTNEXTLINE(google-readability-namespace-comments)
+}  // namespace HWY_NAMESPACE
+}  // namespace gnomon::fast
+HWY_AFTER_NAMESPACE();
+
+#endif  // toggled guard

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+// What all batch kernels share, compiled once for each instruction set (hence the toggled guard): items in
+// words of 64, the store of answers, and the queue of undecided items. Internal to fast/batch_*.cpp.
+#if defined(GNOMON_FAST_BATCH_VECTOR_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GNOMON_FAST_BATCH_VECTOR_INL_H_
+#undef GNOMON_FAST_BATCH_VECTOR_INL_H_
+#else
+#define GNOMON_FAST_BATCH_VECTOR_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+#include "fast/batch_output.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gnomon::fast {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Vectors that are worked on side by side, to hide latencies; AVX-512 has twice as many registers.
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+inline constexpr std::size_t kSideBySide = 4;
+#else
+inline constexpr std::size_t kSideBySide = 2;
+#endif
+
+template <class D>
+HWY_INLINE std::uint64_t bits_of(D d, hn::Mask<D> mask) {
+  // Read back no more than was written: a wider load would wait for the store to reach the cache.
+  using Word = std::conditional_t<hn::MaxLanes(D()) <= 8, std::uint8_t, std::uint16_t>;
+  static_assert(hn::MaxLanes(D()) <= 16);
+  std::uint8_t bytes[8];  // as many as StoreMaskBits may write
+  hn::StoreMaskBits(d, mask, bytes);
+  Word word;
+  std::memcpy(&word, bytes, sizeof word);
+  return word;
+}
+
+/// Writes 64 answers: 0, 1 where kept, 2 where inside too.
+HWY_INLINE void store_bytes(std::uint64_t kept, std::uint64_t inside, std::uint8_t* answers) {
+#if HWY_TARGET == HWY_SCALAR
+  for (int byte = 0; byte < 8; ++byte) {
+    const auto spread = [byte](std::uint64_t word) {
+      const std::uint64_t bits = ((word >> (8 * byte)) & 0xff) * 0x0101010101010101u & 0x8040201008040201u;
+      return (bits + 0x7f7f7f7f7f7f7f7fu) >> 7 & 0x0101010101010101u;
+    };
+    const std::uint64_t eight = spread(kept) + spread(inside);
+    std::memcpy(answers + 8 * byte, &eight, 8);
+  }
+#else
+  const hn::ScalableTag<std::uint8_t> d;
+  const auto one = hn::Set(d, std::uint8_t{1});
+  for (std::size_t i = 0; i < 64; i += hn::Lanes(d)) {
+    const std::uint64_t kept_here = kept >> i, inside_here = inside >> i;
+    std::uint8_t kept_bytes[8], inside_bytes[8];
+    std::memcpy(kept_bytes, &kept_here, 8);
+    std::memcpy(inside_bytes, &inside_here, 8);
+    const auto at_least_one = hn::IfThenElseZero(hn::LoadMaskBits(d, kept_bytes), one);
+    const auto at_least_two = hn::IfThenElseZero(hn::LoadMaskBits(d, inside_bytes), one);
+    hn::StoreU(hn::Add(at_least_one, at_least_two), d, answers + i);
+  }
+#endif
+}
+
+/// Stores the first `count` <= 64 answers of a word.
+HWY_INLINE void store_word(const BatchOutput& out, std::size_t word, std::size_t count, std::uint64_t kept,
+                           std::uint64_t inside) {
+  if (count < 64) {
+    kept &= (std::uint64_t{1} << count) - 1;
+    inside &= (std::uint64_t{1} << count) - 1;
+  }
+  if (out.bytes != nullptr) {
+    if (count == 64) {
+      store_bytes(kept, inside, out.bytes + 64 * word);
+    } else {
+      std::uint8_t answers[64];
+      store_bytes(kept, inside, answers);
+      std::memcpy(out.bytes + 64 * word, answers, count);
+    }
+  } else {
+    out.planes.kept[word] = kept;
+    if (out.planes.inside != nullptr) out.planes.inside[word] = inside;
+  }
+}
+
+/// Runs a kernel over all words of 64 items that consist of kArrays numbers each. The last word is copied
+/// when it is not full, so that nothing is read out of bounds. `left_open(item, open)` is told of words with
+/// undecided items, after their answers were stored.
+template <bool kThreeWay, std::size_t kArrays, class F, class Kernel, class LeftOpen>
+HWY_INLINE void run_words(const Kernel& kernel, const std::array<const F*, kArrays>& arrays,
+                          std::size_t count, const BatchOutput& out, LeftOpen left_open) {
+  const std::size_t full = count / 64;
+  for (std::size_t word = 0; word < full; ++word) {
+    const BatchWord answers = kernel.template word<kThreeWay>(arrays.data(), 64 * word);
+    store_word(out, word, 64, answers.kept, answers.inside);
+    if (Kernel::kLeavesOpen && HWY_UNLIKELY(answers.open != 0)) left_open(64 * word, answers.open);
+  }
+  const std::size_t rest = count % 64;
+  if (rest == 0) return;
+  F copy[kArrays][64];
+  std::array<const F*, kArrays> copies;
+  for (std::size_t i = 0; i < kArrays; ++i) {
+    std::memcpy(copy[i], arrays[i] + 64 * full, rest * sizeof(F));
+    std::memset(copy[i] + rest, 0, (64 - rest) * sizeof(F));  // zeros: no work on denormals or NaN
+    copies[i] = copy[i];
+  }
+  const BatchWord answers = kernel.template word<kThreeWay>(copies.data(), 0);
+  store_word(out, full, rest, answers.kept, answers.inside);
+  const std::uint64_t open = answers.open & ((std::uint64_t{1} << rest) - 1);
+  if (Kernel::kLeavesOpen && open != 0) left_open(64 * full, open);
+}
+
+/// Undecided items, collected until there are enough to fill vectors.
+template <std::size_t kArrays, class F>
+struct OpenItems {
+  static constexpr std::size_t kEnough = 64;  // a word adds at most as many again
+  HWY_ALIGN_MAX F numbers[kArrays][2 * kEnough];
+  std::size_t index[2 * kEnough];
+  std::size_t count = 0;
+
+  HWY_INLINE void add(const std::array<const F*, kArrays>& arrays, std::size_t first, std::uint64_t open) {
+    for (; open != 0; open &= open - 1) {
+      const std::size_t item = first + static_cast<std::size_t>(std::countr_zero(open));
+      for (std::size_t i = 0; i < kArrays; ++i) numbers[i][count] = arrays[i][item];
+      index[count++] = item;
+    }
+  }
+
+  /// Repeats the last item until vectors are full.
+  HWY_INLINE void pad(std::size_t lanes) {
+    for (std::size_t i = count; i % lanes != 0; ++i) {
+      for (auto& array : numbers) array[i] = array[count - 1];
+    }
+  }
+};
+
+/// Numbers as doubles.
+template <class D>
+HWY_INLINE hn::Vec<D> load_double(D d, const double* from) {
+  return hn::LoadU(d, from);
+}
+template <class D>
+HWY_INLINE hn::Vec<D> load_double(D d, const float* from) {
+  return hn::PromoteTo(d, hn::LoadU(hn::Rebind<float, D>(), from));
+}
+
+/// All stages: the kernel's words, its resolve() for what they leave open, and `decide` for the rest.
+template <class F, std::size_t kArrays, class Kernel, class Decide>
+HWY_INLINE BatchCounters run_with_stages(const Kernel& kernel, const std::array<const F*, kArrays>& arrays,
+                                         std::size_t count, const BatchOutput& out, bool has_second_stage,
+                                         Decide decide) {
+  BatchCounters counters;
+  OpenItems<kArrays, F> items;
+  const auto resolve = [&] {
+    const std::size_t lanes = hn::Lanes(hn::ScalableTag<double>());
+    items.pad(lanes);
+    for (std::size_t first = 0; first < items.count; first += lanes) {
+      const std::size_t many = std::min(lanes, items.count - first);
+      std::array<const F*, kArrays> at;
+      for (std::size_t i = 0; i < kArrays; ++i) at[i] = items.numbers[i] + first;
+      BatchWord answers;
+      answers.open = ~std::uint64_t{0};
+      if (has_second_stage) answers = kernel.resolve(at.data());
+      for (std::size_t i = 0; i < many; ++i) {
+        const std::size_t item = items.index[first + i];
+        if ((answers.open >> i & 1) != 0) {
+          ++counters.predicate_calls;
+          out.set(item, decide(item));
+        } else {
+          out.set(item, static_cast<scene::Category>((answers.kept >> i & 1) + (answers.inside >> i & 1)));
+        }
+      }
+    }
+    counters.second_stage += items.count;
+    items.count = 0;
+  };
+  const auto left_open = [&](std::size_t first, std::uint64_t open) {
+    items.add(arrays, first, open);
+    if (items.count >= items.kEnough) resolve();
+  };
+  if (out.asks_three_way()) {
+    run_words<true>(kernel, arrays, count, out, left_open);
+  } else {
+    run_words<false>(kernel, arrays, count, out, left_open);
+  }
+  resolve();
+  return counters;
+}
+
+// NOLINTNEXTLINE(google-readability-namespace-comments)
+}  // namespace HWY_NAMESPACE
+}  // namespace gnomon::fast
+HWY_AFTER_NAMESPACE();
+
+#endif  // toggled guard
