@@ -15,7 +15,10 @@ namespace gnomon::fast {
 template <class F>
 [[nodiscard]] bool meets(const scene::Box<F>& t, const scene::Box<F>& box) {
   bool apart = false;
-  for (int axis = 0; axis < 3; ++axis) apart |= !(t.lo(axis) <= box.hi(axis)) | !(t.hi(axis) >= box.lo(axis));
+  for (int axis = 0; axis < 3; ++axis) {
+    apart |= !(t.lo(axis) <= box.hi(axis));
+    apart |= !(t.hi(axis) >= box.lo(axis));
+  }
   return !apart;
 }
 
@@ -23,7 +26,10 @@ template <class F>
 template <class F>
 [[nodiscard]] bool contains(const scene::Box<F>& box, const scene::Box<F>& t) {
   bool within = true;
-  for (int axis = 0; axis < 3; ++axis) within &= (t.lo(axis) >= box.lo(axis)) & (t.hi(axis) <= box.hi(axis));
+  for (int axis = 0; axis < 3; ++axis) {
+    within &= t.lo(axis) >= box.lo(axis);
+    within &= t.hi(axis) <= box.hi(axis);
+  }
   return within;
 }
 

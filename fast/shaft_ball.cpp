@@ -16,7 +16,8 @@ bool within_sides(const scene::Box<F>& box, const scene::Ball<F>& t, F factor) {
   bool within = true;
   for (int axis = 0; axis < 3; ++axis) {
     const F x = t.centre[static_cast<std::size_t>(axis)];
-    within &= (x - box.lo(axis) >= reach) & (box.hi(axis) - x >= reach);
+    within &= x - box.lo(axis) >= reach;
+    within &= box.hi(axis) - x >= reach;
   }
   return within;
 }
