@@ -61,11 +61,11 @@ class Shrinker {
  private:
   bool accept(const std::vector<double>& candidate) {
     if (left_ <= 0) return false;
-    const double cost = complexity(candidate);
-    if (!(cost < cost_)) return false;
     for (const double x : candidate) {
       if (!std::isfinite(x) || (scalar_ == scene::Scalar::f32 && !scene::is_float(x))) return false;
     }
+    const double cost = complexity(candidate);  // knows finite numbers only
+    if (!(cost < cost_)) return false;
     --left_;
     if (!still_fails_(candidate)) return false;
     best_ = candidate;
