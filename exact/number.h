@@ -4,6 +4,8 @@
 
 #include <CGAL/Gmpq.h>
 #include <CGAL/Interval_nt.h>
+#include <CGAL/Mpzf.h>
+#include <CGAL/Quotient.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <cmath>
@@ -14,7 +16,11 @@ namespace gnomon::exact {
 /// Directed-rounding intervals: the filter. Valid only under Interval_nt<false>::Protector (rounding mode
 /// upwards).
 using FilterKernel = CGAL::Simple_cartesian<CGAL::Interval_nt<false>>;
-/// Rationals: the answer to whatever the filter leaves open.
+/// Quotients of CGAL's exact binary floats: the answer to whatever the filter leaves open. Numbers are never
+/// reduced, so a case costs multiplications and no greatest common divisors; denormals cost no more than
+/// other numbers.
+using ExactKernel = CGAL::Simple_cartesian<CGAL::Quotient<CGAL::Mpzf>>;
+/// Reduced rationals of GMP: gaps as they are printed, and a second opinion for the tests.
 using RationalKernel = CGAL::Simple_cartesian<CGAL::Gmpq>;
 
 /// The sign of a number of either kernel; an interval around 0 has none. A type of its own, so that "unknown"
@@ -26,6 +32,9 @@ enum class Sign : std::int8_t { negative = -1, zero = 0, positive = 1, unknown =
   if (x.sup() < 0) return Sign::negative;
   if (x.inf() == 0 && x.sup() == 0) return Sign::zero;
   return Sign::unknown;  // also for the NaN of overflowed intervals
+}
+[[nodiscard]] inline Sign sign_of(const CGAL::Quotient<CGAL::Mpzf>& x) {
+  return static_cast<Sign>(static_cast<int>(CGAL::sign(x)));
 }
 [[nodiscard]] inline Sign sign_of(const CGAL::Gmpq& x) {
   return static_cast<Sign>(static_cast<int>(CGAL::sign(x)));

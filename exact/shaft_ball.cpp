@@ -16,20 +16,6 @@ using scene::ShaftBallCase;
 
 namespace {
 
-template <class FT>
-FT squared_distance(const std::array<double, 3>& p, const Box<double>& box) {
-  FT sum(0);
-  for (int axis = 0; axis < 3; ++axis) {
-    const double x = p[static_cast<std::size_t>(axis)];
-    if (x < box.lo(axis)) {
-      sum += CGAL::square(FT(box.lo(axis)) - FT(x));
-    } else if (x > box.hi(axis)) {
-      sum += CGAL::square(FT(x) - FT(box.hi(axis)));
-    }
-  }
-  return sum;
-}
-
 /// The support function of the shaft in a direction: the larger one of both boxes' far corners.
 template <class FT>
 FT support(const ShaftBallCase& c, const std::array<double, 3>& n) {
@@ -157,7 +143,7 @@ std::optional<ShaftBallReference> refer_with(const ShaftBallCase& c) {
   const Shaft<K> shaft(c.a, c.b);
   const FT square = CGAL::square(FT(c.t.radius));
 
-  SignFold beyond, apart, printed_outside_planes;
+  SignFold beyond, apart;
   bool printed_inside = true, printed_unknown = false;
   add_sides<K>(beyond, shaft.extent(), c.t);
   if (beyond.any_positive) printed_inside = false;
@@ -205,30 +191,6 @@ std::optional<ShaftBallReference> refer_with(const ShaftBallCase& c) {
   return reference;
 }
 
-template <class K>
-typename K::FT gap_with(const ShaftBallCase& c, Boundary boundary) {
-  using FT = typename K::FT;
-  const FT r(c.t.radius), square = r * r;
-  if (boundary == Boundary::outside) {
-    const DistanceOverS<FT> distance(c.a, c.b, c.t.centre);
-    return distance.at(distance.minimiser()) - square;
-  }
-  const Shaft<K> shaft(c.a, c.b);
-  std::optional<FT> most;
-  const auto take = [&](const FT& value, const FT& squared_length) {
-    const FT length = value * value / squared_length;
-    const FT reach = value > FT(0) ? FT(length + square) : FT(square - length);
-    most = most ? FT((CGAL::max)(*most, reach)) : reach;
-  };
-  for (int axis = 0; axis < 3; ++axis) {
-    const FT x(c.t.centre[static_cast<std::size_t>(axis)]);
-    take(x - FT(shaft.extent().hi(axis)), FT(1));
-    take(FT(shaft.extent().lo(axis)) - x, FT(1));
-  }
-  for (const ShaftPlane<K>& plane : shaft.planes()) take(plane.value_at(c.t.centre), plane.squared_length());
-  return *most;
-}
-
 }  // namespace
 
 std::uint64_t refer(std::span<const ShaftBallCase> cases, std::span<ShaftBallReference> references) {
@@ -238,7 +200,7 @@ std::uint64_t refer(std::span<const ShaftBallCase> cases, std::span<ShaftBallRef
     std::optional<ShaftBallReference> reference = refer_with<FilterKernel>(cases[i]);
     if (!reference) {
       ++in_rationals;
-      reference = refer_with<RationalKernel>(cases[i]);
+      reference = refer_with<ExactKernel>(cases[i]);
     }
     references[i] = *reference;
   }
@@ -275,49 +237,7 @@ Category classify(const ShaftBallCase& c) {
     const CGAL::Interval_nt<false>::Protector upward;
     if (const std::optional<Category> truth = truth_of<FilterKernel>(c)) return *truth;
   }
-  return *truth_of<RationalKernel>(c);
-}
-
-Gap gap(const ShaftBallCase& c, Boundary boundary) {
-  return Gap(gap_with<RationalKernel>(c, boundary).mpq());
-}
-
-double gap_bound(const ShaftBallCase& c, Boundary boundary) {
-  double largest = c.t.radius;
-  for (const Box<double>* box : {&c.a, &c.b}) {
-    for (const double x : box->c) largest = std::fmax(largest, std::fabs(x));
-  }
-  for (const double x : c.t.centre) largest = std::fmax(largest, std::fabs(x));
-  if (boundary == Boundary::inside || !(largest <= kLargestInIntervals)) return HUGE_VAL;
-  // d^2 lies between 0 and its value at any s, so |d^2 - r^2| is at most the larger of r^2 and that value -
-  // r^2.
-  const CGAL::Interval_nt<false>::Protector upward;
-  using FT = FilterKernel::FT;
-  const double s = DistanceOverS<double>(c.a, c.b, c.t.centre).minimiser();
-  if (!(s >= 0 && s <= 1)) return HUGE_VAL;
-  const FT square = CGAL::square(FT(c.t.radius));
-  const FT at_s = DistanceOverS<FT>(c.a, c.b, c.t.centre).at(FT(s));
-  return std::fmax(FT(at_s - square).sup(), square.sup());
-}
-
-Category classify_grown(const ShaftBallCase& c, double growth) {
-  if (std::isinf(growth)) return Category::overlap;
-  using FT = RationalKernel::FT;
-  const Shaft<RationalKernel> shaft(c.a, c.b);
-  const FT r = FT(c.t.radius) + FT(growth), square = r * r;
-  if (squared_distance<FT>(c.t.centre, shaft.extent()) > square) return Category::outside;
-  bool inside = true;
-  for (int axis = 0; axis < 3; ++axis) {
-    const FT x(c.t.centre[static_cast<std::size_t>(axis)]);
-    inside &= x + r <= FT(shaft.extent().hi(axis)) && x - r >= FT(shaft.extent().lo(axis));
-  }
-  for (const ShaftPlane<RationalKernel>& plane : shaft.planes()) {
-    const FT value = plane.value_at(c.t.centre);
-    const FT reach = value * value - square * plane.squared_length();
-    if (value > 0 && reach > 0) return Category::outside;
-    inside &= value <= 0 && reach >= 0;
-  }
-  return inside ? Category::inside : Category::overlap;
+  return *truth_of<ExactKernel>(c);
 }
 
 }  // namespace gnomon::exact

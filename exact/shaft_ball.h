@@ -36,7 +36,7 @@ std::uint64_t refer(std::span<const scene::ShaftBallCase> cases, std::span<Shaft
 /// r^2 where v > 0.
 [[nodiscard]] Gap gap(const scene::ShaftBallCase& c, Boundary boundary);
 
-/// An upper bound on |gap| where one is cheap (the outside boundary, no overflow), else infinity.
+/// An upper bound on |gap|, from intervals: infinity where they overflow.
 [[nodiscard]] double gap_bound(const scene::ShaftBallCase& c, Boundary boundary);
 
 /// The answer of the exact plane test after the radius has grown by `growth` >= 0, exactly.

@@ -105,6 +105,15 @@ typename K::FT gap_with(const ShaftBoxCase& c, Boundary boundary) {
   return *most;
 }
 
+bool is_clear_of_overflow(const ShaftBoxCase& c) {
+  for (const Box<double>* box : {&c.a, &c.b, &c.t}) {
+    for (const double x : box->c) {
+      if (!(std::fabs(x) <= kLargestInIntervals)) return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 std::uint64_t refer(std::span<const ShaftBoxCase> cases, std::span<ShaftBoxReference> references) {
@@ -114,7 +123,7 @@ std::uint64_t refer(std::span<const ShaftBoxCase> cases, std::span<ShaftBoxRefer
     std::optional<ShaftBoxReference> reference = refer_with<FilterKernel>(cases[i]);
     if (!reference) {
       ++in_rationals;
-      reference = refer_with<RationalKernel>(cases[i]);
+      reference = refer_with<ExactKernel>(cases[i]);
     }
     references[i] = *reference;
   }
@@ -130,7 +139,7 @@ Category classify(const ShaftBoxCase& c) {
     const CGAL::Interval_nt<false>::Protector upward;
     if (const std::optional<Category> truth = truth_of<FilterKernel>(c)) return *truth;
   }
-  return *truth_of<RationalKernel>(c);
+  return *truth_of<ExactKernel>(c);
 }
 
 Gap gap(const ShaftBoxCase& c, Boundary boundary) {
@@ -138,20 +147,34 @@ Gap gap(const ShaftBoxCase& c, Boundary boundary) {
 }
 
 double gap_bound(const ShaftBoxCase& c, Boundary boundary) {
-  for (const Box<double>* box : {&c.a, &c.b, &c.t}) {
-    for (const double x : box->c) {
-      if (!(std::fabs(x) <= kLargestInIntervals)) return HUGE_VAL;
-    }
-  }
+  if (!is_clear_of_overflow(c)) return HUGE_VAL;
   const CGAL::Interval_nt<false>::Protector upward;
   return magnitude_bound(gap_with<FilterKernel>(c, boundary));
 }
 
+namespace {
+
+/// The answer after growth, from both gaps; empty when the filter can't tell.
+template <class K>
+std::optional<Category> grown_with(const ShaftBoxCase& c, double growth) {
+  using FT = typename K::FT;
+  const Sign beyond = sign_of(FT(gap_with<K>(c, Boundary::outside) - FT(growth)));
+  if (beyond == Sign::unknown) return std::nullopt;
+  if (beyond == Sign::positive) return Category::outside;
+  const Sign sticking_out = sign_of(FT(gap_with<K>(c, Boundary::inside) + FT(growth)));
+  if (sticking_out == Sign::unknown) return std::nullopt;
+  return sticking_out == Sign::positive ? Category::overlap : Category::inside;
+}
+
+}  // namespace
+
 Category classify_grown(const ShaftBoxCase& c, double growth) {
   if (std::isinf(growth)) return Category::overlap;  // grown without bound, it meets and is not within
-  const Gap by(growth);
-  if (gap(c, Boundary::outside) > by) return Category::outside;
-  return gap(c, Boundary::inside) + by <= 0 ? Category::inside : Category::overlap;
+  if (is_clear_of_overflow(c) && growth <= kLargestInIntervals) {
+    const CGAL::Interval_nt<false>::Protector upward;
+    if (const std::optional<Category> grown = grown_with<FilterKernel>(c, growth)) return *grown;
+  }
+  return *grown_with<ExactKernel>(c, growth);
 }
 
 }  // namespace gnomon::exact

@@ -69,4 +69,19 @@ class DistanceOverS {
   std::array<FT, 6> p_, q_;  ///< sides lie beyond the point by p + q s: lower sides first, then upper ones
 };
 
+/// The squared distance from a point to a box.
+template <class FT>
+[[nodiscard]] FT squared_distance(const std::array<double, 3>& p, const scene::Box<double>& box) {
+  FT sum(0);
+  for (int axis = 0; axis < 3; ++axis) {
+    const double x = p[static_cast<std::size_t>(axis)];
+    if (x < box.lo(axis)) {
+      sum += CGAL::square(FT(box.lo(axis)) - FT(x));
+    } else if (x > box.hi(axis)) {
+      sum += CGAL::square(FT(x) - FT(box.hi(axis)));
+    }
+  }
+  return sum;
+}
+
 }  // namespace gnomon::exact

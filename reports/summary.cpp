@@ -124,7 +124,7 @@ void count_once(std::vector<Source>& sources, Source added) {
 Share share_of(std::uint64_t k, std::uint64_t n) {
   if (k > n) throw std::domain_error("share_of: more errors than chances");
   const fuzz::Rate rate = fuzz::rate_of(k, n);
-  return {k, n, {rate.value, rate.low95, rate.high95}};
+  return {k, n, {rate.value, rate.low95, rate.high95, n}};
 }
 
 Summary summarise(const ResultRow& row) {
