@@ -4,93 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <fstream>
-#include <iterator>
-#include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "reports/json_node.h"
 #include "scene/input_error.h"
 
 namespace gnomon::reports {
 namespace {
-
-using Json = nlohmann::ordered_json;  // keeps the file's own order of fields
-
-/// A value with the way to it, so that a complaint can say where it is.
-class Node {
- public:
-  Node(const Json& json, std::string file, std::string where)
-      : json_(&json), file_(std::move(file)), where_(std::move(where)) {}
-
-  [[noreturn]] void fail(const std::string& expected) const {
-    std::string found = json_->dump(-1, ' ', false, Json::error_handler_t::replace);
-    if (found.size() > 60) found = found.substr(0, 57) + "...";
-    throw scene::InputError(file_, 0, fmt::format("expected {} at {}, found {}", expected, where_, found));
-  }
-
-  [[nodiscard]] bool has(const char* key) const {
-    object();
-    const auto it = json_->find(key);
-    return it != json_->end() && !it->is_null();
-  }
-
-  [[nodiscard]] Node at(const char* key) const {
-    object();
-    const auto it = json_->find(key);
-    if (it == json_->end()) {
-      throw scene::InputError(file_, 0, fmt::format("expected field \"{}\" at {}, found none", key, where_));
-    }
-    return {*it, file_, where_ == "the top" ? std::string(key) : where_ + "." + key};
-  }
-
-  [[nodiscard]] std::string text() const {
-    if (!json_->is_string()) fail("text");
-    return json_->get<std::string>();
-  }
-
-  [[nodiscard]] std::uint64_t count() const {
-    if (!json_->is_number_unsigned()) fail("a count (a whole number, 0 or more)");
-    return json_->get<std::uint64_t>();
-  }
-
-  [[nodiscard]] double number() const {
-    if (!json_->is_number() || !std::isfinite(json_->get<double>())) fail("a finite number");
-    return json_->get<double>();
-  }
-
-  [[nodiscard]] bool flag() const {
-    if (!json_->is_boolean()) fail("true or false");
-    return json_->get<bool>();
-  }
-
-  [[nodiscard]] std::vector<Node> list() const {
-    if (!json_->is_array()) fail("an array");
-    std::vector<Node> nodes;
-    for (std::size_t i = 0; i < json_->size(); ++i) {
-      nodes.emplace_back((*json_)[i], file_, fmt::format("{}[{}]", where_, i));
-    }
-    return nodes;
-  }
-
-  [[nodiscard]] std::vector<std::pair<std::string, Node>> fields() const {
-    object();
-    std::vector<std::pair<std::string, Node>> nodes;
-    for (const auto& [key, value] : json_->items())
-      nodes.emplace_back(key, Node(value, file_, where_ + "." + key));
-    return nodes;
-  }
-
-  [[nodiscard]] const Json& json() const { return *json_; }
-
- private:
-  void object() const {
-    if (!json_->is_object()) fail("an object");
-  }
-
-  const Json* json_;
-  std::string file_, where_;
-};
 
 std::string optional_text(const Node& node, const char* key) {
   return node.has(key) ? node.at(key).text() : "";
@@ -107,7 +27,8 @@ std::map<std::string, std::uint64_t> counts(const Node& node) {
 }
 
 Rate rate(const Node& node) {
-  const Rate r{node.at("value").number(), node.at("low95").number(), node.at("high95").number()};
+  Rate r{node.at("value").number(), node.at("low95").number(), node.at("high95").number(), {}};
+  if (node.has("of")) r.of = node.at("of").count();
   // A last digit may differ between the value and an interval end that were rounded apart.
   constexpr double kSlack = 1e-9;
   if (r.low95 < 0 || r.high95 > 1 + kSlack || r.low95 > r.value + kSlack || r.value > r.high95 + kSlack) {
@@ -213,33 +134,27 @@ std::vector<std::pair<std::string, std::string>> plain_fields(const Node& node) 
   return cells;
 }
 
-ResultFile read_file(const std::filesystem::path& path) {
-  const std::string name = path.string();
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw scene::InputError(name, 0, "expected a readable result file, can't open it");
-  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  if (stream.bad()) throw scene::InputError(name, 0, "expected a readable result file, reading failed");
+std::vector<std::uint64_t> seeds_of(const Node& top) {
+  if (top.has("seed")) return {top.at("seed").count()};
+  std::vector<std::uint64_t> seeds;
+  if (!top.has("seeds")) return seeds;
+  for (const Node& seed : top.at("seeds").list()) seeds.push_back(seed.count());
+  return seeds;
+}
 
-  Json json;
-  try {
-    json = Json::parse(bytes);
-  } catch (const Json::parse_error& error) {
-    const auto end = bytes.begin() + static_cast<std::ptrdiff_t>(std::min(bytes.size(), error.byte));
-    const auto line = static_cast<std::size_t>(std::count(bytes.begin(), end, '\n')) + 1;
-    throw scene::InputError(name, line, fmt::format("expected JSON, parsing stopped at byte {}", error.byte));
-  } catch (const Json::exception& error) {  // a number beyond double's range
-    throw scene::InputError(name, 0, fmt::format("expected JSON, {}", error.what()));
-  }
+}  // namespace
 
-  const Node top(json, name, "the top");
-  if (top.at("schema").json() != 1) top.at("schema").fail("schema 1");
+ResultFile read_result_file(const std::filesystem::path& path) {
+  const Json json = read_json(path);
+  const Node top(json, path);
   ResultFile file;
   file.name = path.filename().string();
-  file.kind = top.at("kind").text();
+  file.kind = kind_of_result(top);
   file.tool = optional_text(top, "tool");
   file.command = top.at("command").text();
   file.shard = optional_text(top, "shard");
-  if (top.has("seed")) file.seed = top.at("seed").count();
+  file.seeds = seeds_of(top);
+  if (file.seeds.size() == 1) file.seed = file.seeds.front();
   for (const Node& node : top.at("rows").list()) {
     if (file.kind == "fuzz") {
       file.rows.push_back(row(node));
@@ -253,8 +168,6 @@ ResultFile read_file(const std::filesystem::path& path) {
   if (top.has("measured")) read_measured(top.at("measured"), file);
   return file;
 }
-
-}  // namespace
 
 std::vector<ResultFile> read_result_folder(const std::filesystem::path& dir) {
   std::error_code error;
@@ -270,7 +183,7 @@ std::vector<ResultFile> read_result_folder(const std::filesystem::path& dir) {
 
   std::vector<ResultFile> files;
   for (const auto& path : paths) {
-    ResultFile file = read_file(path);
+    ResultFile file = read_result_file(path);
     for (const ResultFile& other : files) {
       if (other.kind == file.kind && other.command == file.command && other.seed == file.seed &&
           other.shard == file.shard) {

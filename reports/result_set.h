@@ -16,6 +16,7 @@ struct Rate {
   double value = 0;
   double low95 = 0;
   double high95 = 1;
+  std::optional<std::uint64_t> of;  ///< of how many cases
 };
 
 /// How far a case is from its decision boundary: the exact number as "p/q" (for balls of a length squared),
@@ -56,8 +57,9 @@ struct ResultWitness {
 /// One result file. For kinds other than "fuzz" only `table` is filled: each row's plain fields as text.
 struct ResultFile {
   std::string name, kind, tool, command;
-  std::string shard;  ///< "I/N"; empty or "1/1" when the file is the whole run
+  std::string shard;  ///< "I/N" or, merged, "I,J/N"; empty or "1/1" when the file is the whole run
   std::optional<std::uint64_t> seed;
+  std::vector<std::uint64_t> seeds;  ///< more than one when runs of several seeds were merged
   std::vector<ResultRow> rows;
   std::vector<ResultWitness> witnesses;
   std::vector<std::vector<std::pair<std::string, std::string>>> table;
