@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The command line: one executable, `gnomon VERB`. Exit status: 0 ran and every promise held; 1 a promise was
-// broken or a stated answer is wrong; 2 bad usage or bad input, said in one line on standard error.
+// broken, a stated answer is wrong or a comparison regressed; 2 bad usage or bad input, said in one line on
+// standard error.
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -21,6 +22,7 @@
 #include "reports/html_report.h"
 #include "reports/replay_json.h"
 #include "reports/result_json.h"
+#include "reports/verbs_results.h"
 #include "scene/atomic_file.h"
 #include "scene/input_error.h"
 
@@ -94,6 +96,7 @@ std::string command_of(const FuzzArguments& arguments) {
   if (!arguments.scalar.empty()) text += " --scalar " + arguments.scalar;
   text += options.seconds ? " --time " + arguments.time : " --trials " + std::to_string(options.trials);
   text += " --seed " + std::to_string(options.seed);
+  if (options.witnesses_per_row != 1) text += " --witnesses " + std::to_string(options.witnesses_per_row);
   if (options.shards > 1) text += " --shard " + arguments.shard;
   return text;
 }
@@ -239,8 +242,8 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", reports::version());
   app.require_subcommand(1);
   app.footer(
-      "Exit status: 0 every promise held; 1 a promise was broken or a stated answer is wrong; 2 bad usage or "
-      "input.\n"
+      "Exit status: 0 every promise held; 1 a promise was broken, a stated answer is wrong or a comparison\n"
+      "regressed; 2 bad usage or input.\n"
       "Examples:\n"
       "  gnomon list\n"
       "  gnomon fuzz shaft-box --trials 1000000 --out results\n"
@@ -283,6 +286,8 @@ int main(int argc, char** argv) {
   report->add_option("-o,--out", report_out, "the page")->capture_default_str();
   report->footer("Example: gnomon report results -o report.html");
   report->final_callback([&] { run = [&] { return run_report(report_folder, report_out); }; });
+
+  reports::add_result_verbs(app, run);
 
   try {
     app.parse(argc, argv);

@@ -223,6 +223,7 @@ CampaignResult run_campaign(const CampaignOptions& options, const OnProgress& on
   result.seed = options.seed;
   result.shard = options.shard;
   result.shards = options.shards;
+  result.witnesses_per_row = options.witnesses_per_row;
   const double share = 1.0 / static_cast<double>(batches.size());
   for (std::size_t b = 0; b < batches.size(); ++b) {
     const Batch<Q>& batch = batches[b];

@@ -60,6 +60,7 @@ struct CampaignResult {
   std::string command;
   std::uint64_t seed = 0;
   unsigned shard = 1, shards = 1;
+  unsigned witnesses_per_row = 1;  ///< how many of each fault were asked for
   std::vector<RowResult> rows;
   std::uint64_t trials = 0;  ///< over all rows
   double seconds = 0;        ///< wall time of the trials, shrinking left out

@@ -102,6 +102,7 @@ std::string result_json(const fuzz::CampaignResult& result) {
   json["command"] = result.command;
   json["seed"] = result.seed;
   json["shard"] = std::to_string(result.shard) + "/" + std::to_string(result.shards);
+  json["witnesses_per_row"] = result.witnesses_per_row;
   json["rows"] = Json::array();
   json["witnesses"] = Json::array();
   Json times = Json::array();

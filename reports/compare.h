@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Two results of one workload: errors first, then speed.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gnomon::reports {
+
+struct CompareOptions {
+  /// Times per case whose ratio is within 1 - tolerance .. 1 + tolerance count as equal.
+  double tolerance = 0.05;
+  /// A row that takes more than this many times its old time is a regression; without it speed is none.
+  std::optional<double> speed_limit;
+};
+
+enum class Change : std::uint8_t { worse, better, other };
+
+/// One count of one row that differs. Seed and cases are the same, so counts are no samples: every change is
+/// one of the method (or of the numbers that it is given), never of chance.
+struct ErrorChange {
+  std::string row;    ///< "shaft-box naive-f32 uniform f32"
+  std::string field;  ///< of the result file, e.g. "unsound"
+  std::uint64_t before = 0, after = 0;
+  Change change = Change::other;
+  std::string words = {};  ///< for "promise", where the numbers are its strength: which promises
+};
+
+struct SpeedChange {
+  std::string row;
+  double before = 0, after = 0;  ///< ns per case, above 0
+  double ratio = 1;              ///< after / before
+  bool within_noise = true, above_limit = false;
+};
+
+struct Comparison {
+  std::string old_name, new_name, command;
+  std::size_t rows = 0;                   ///< in both
+  std::vector<ErrorChange> errors;        ///< worse, then better, then other ones
+  std::vector<SpeedChange> speeds;        ///< slowest first
+  std::optional<double> reference_ratio;  ///< median of the exact reference's new / old time
+  std::vector<std::string> only_old, only_new;
+  /// What differs between the places where the two were measured: name, then "old -> new".
+  std::vector<std::pair<std::string, std::string>> environment;
+
+  [[nodiscard]] bool regressed() const;
+};
+
+/// Compares two results of `gnomon fuzz`, row by row (question, method, distribution, scalar). Worse is: a
+/// promise newly broken; more of unsound, false_culls, false_insides or unsound_touching in any row; more
+/// waste, undecided or rejected in a certified or exact one. Throws scene::InputError naming the file and
+/// what was expected when one is no result file, when seeds or shards differ, when no row is in both, and
+/// when a row in both has other trials or other cases (seen by their exact answers).
+[[nodiscard]] Comparison compare_results(const std::filesystem::path& before,
+                                         const std::filesystem::path& after, const CompareOptions& options);
+
+/// For people; ends with a newline.
+[[nodiscard]] std::string comparison_text(const Comparison& comparison, const CompareOptions& options);
+/// The same for scripts: schema 1, kind "compare".
+[[nodiscard]] std::string comparison_json(const Comparison& comparison, const CompareOptions& options);
+
+}  // namespace gnomon::reports
