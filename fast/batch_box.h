@@ -50,9 +50,9 @@ class ExactBoxShaft {
     F at, inverse;
     Face face;
   };
-  /// A plane n0 (x - x0) + n1 (y - y0) <= 0; normals are sums high + low, exact.
+  /// A plane n0 (x - a_far0) + n1 (y - a_far1) <= 0; normals are sums high + low, exact.
   struct Plane {
-    double n0_high, n0_low, n1_high, n1_low, x0, y0;
+    double n0_high, n0_low, n1_high, n1_low;
     Face far0, far1;
     std::uint8_t to, from;  ///< the indices of its two sides
   };

@@ -141,33 +141,63 @@ struct ExactBoxKernel {
     return answers;
   }
 
+  /// The differences of t's sides to those of a, for the faces that planes use.
+  struct Differences {
+    TwoDoubles of[6];
+    MDouble usable;
+  };
+
+  HWY_INLINE Differences differences(const F* const* c, bool near) const {
+    const Doubles d;
+    Differences result;
+    result.usable = hn::Not(no_lanes(d));
+    const auto take = [&](const Side& side) {
+      const VDouble x = load_double(d, c[near ? opposite(side.face) : side.face]);
+      const TwoDoubles difference = two_difference(x, hn::Set(d, static_cast<double>(side.at)));
+      // Floats can't leave the range.
+      if (sizeof(F) == 8) result.usable = hn::And(result.usable, in_range_or_zero(difference.high));
+      result.of[side.face] = difference;
+    };
+    for (std::size_t i = 0; i < shaft.to_count; ++i) take(shaft.to[i]);
+    for (std::size_t i = 0; i < shaft.from_count; ++i) take(shaft.from[i]);
+    return result;
+  }
+
+  /// Which lanes have a positive plane for certain, and which an unknown one.
+  struct Positive {
+    MDouble certain, unknown;
+  };
+
+  HWY_INLINE Positive positive(const F* const* c, bool near) const {
+    const Doubles d;
+    const Differences x = differences(c, near);
+    MDouble positive = no_lanes(d), known = hn::Not(positive);
+    for (std::size_t i = 0; i < shaft.plane_count; ++i) {
+      const auto& plane = shaft.planes[i];
+      const VectorSign sign = sign_of_plane(plane, x.of[plane.far0], x.of[plane.far1]);
+      positive = hn::Or(positive, hn::And(sign.certain, hn::Gt(sign.value, hn::Zero(d))));
+      known = hn::And(known, sign.certain);
+    }
+    return {hn::And(positive, x.usable), hn::Not(hn::And(known, x.usable))};
+  }
+
   /// Stage 2 for items that meet the extent box: as many as a vector of doubles holds.
+  template <bool kThreeWay>
   HWY_INLINE BatchWord resolve(const F* const* c) const {
     const Doubles d;
     const hn::Rebind<F, Doubles> d_narrow;
-    VDouble coordinate[6];
-    for (std::size_t i = 0; i < 6; ++i) coordinate[i] = load_double(d, c[i]);
-    MDouble outside = no_lanes(d), near_open = no_lanes(d);
-    MDouble not_inside = no_lanes(d), far_open = no_lanes(d);
-    const VDouble zero = hn::Zero(d);
-    for (std::size_t i = 0; i < shaft.plane_count; ++i) {
-      const auto& plane = shaft.planes[i];
-      const VectorSign near =
-          sign_of_plane(plane, coordinate[opposite(plane.far0)], coordinate[opposite(plane.far1)]);
-      outside = hn::Or(outside, hn::And(near.certain, hn::Gt(near.value, zero)));
-      near_open = hn::Or(near_open, hn::Not(near.certain));
-      const VectorSign far = sign_of_plane(plane, coordinate[plane.far0], coordinate[plane.far1]);
-      not_inside = hn::Or(not_inside, hn::And(far.certain, hn::Gt(far.value, zero)));
-      far_open = hn::Or(far_open, hn::Not(far.certain));
-    }
     const std::uint64_t all = (std::uint64_t{1} << hn::Lanes(d)) - 1;
-    const std::uint64_t contained = bits_of(d_narrow, within(d_narrow, shaft.extent, c, 0)) & all;
-    const std::uint64_t out = bits_of(d, outside), beyond = bits_of(d, not_inside) | (all & ~contained);
-    const std::uint64_t near_unknown = bits_of(d, near_open), far_unknown = bits_of(d, far_open);
+    const Positive near = positive(c, true);
     BatchWord answers;
-    answers.kept = all & ~out;
-    answers.inside = answers.kept & ~beyond & ~far_unknown;
-    answers.open = answers.kept & ~answers.inside & (near_unknown | (~beyond & far_unknown));
+    answers.kept = all & ~bits_of(d, near.certain);
+    answers.open = answers.kept & bits_of(d, near.unknown);
+    if (!kThreeWay) return answers;
+    const std::uint64_t contained = bits_of(d_narrow, within(d_narrow, shaft.extent, c, 0)) & answers.kept;
+    if (contained == 0) return answers;
+    const Positive far = positive(c, false);
+    const std::uint64_t not_beyond = contained & ~bits_of(d, far.certain), unknown = bits_of(d, far.unknown);
+    answers.inside = not_beyond & ~unknown;  // and so it meets, whatever the near sides say
+    answers.open = (answers.open & ~answers.inside) | (not_beyond & unknown);
     return answers;
   }
 };
@@ -233,7 +263,7 @@ ExactBoxShaft<F>::ExactBoxShaft(const scene::Box<F>& a, const scene::Box<F>& b)
       const ExactDifference n0 = outward_difference(b.c[g], a.c[g], is_max(f));
       const ExactDifference n1 = outward_difference(a.c[f], b.c[f], is_max(g));
       has_error_free &= n0.in_range() && n1.in_range();
-      planes[plane_count++] = {n0.high, n0.low, n1.high, n1.low, a.c[f], a.c[g], f, g, i, j};
+      planes[plane_count++] = {n0.high, n0.low, n1.high, n1.low, f, g, i, j};
     }
   }
 }

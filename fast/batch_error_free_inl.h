@@ -78,11 +78,20 @@ struct VectorSign {
 /// Products of numbers in [kLeastFactor, kLargestFactor] have exact errors, and sums of them don't overflow.
 inline constexpr double kLeastFactor = 0x1p-450, kLargestFactor = 0x1p450;
 
-/// The sign of n0 (x - x0) + n1 (y - y0), n0 and n1 given as sums high + low, not 0 and with magnitudes in
-/// [kLeastFactor, kLargestFactor]; lanes with differences of other magnitudes, but for 0, are not certain.
+HWY_INLINE MDouble in_range_or_zero(VDouble x) {
+  const Doubles d;
+  const VDouble size = hn::Abs(x);
+  const MDouble normal =
+      hn::And(hn::Ge(size, hn::Set(d, kLeastFactor)), hn::Le(size, hn::Set(d, kLargestFactor)));
+  return hn::Or(normal, hn::Eq(size, hn::Zero(d)));
+}
+
+/// The sign of n0 x + n1 y, all four given as exact sums high + low. The normal's high parts are not 0 and in
+/// [kLeastFactor, kLargestFactor]; so must be those of x and y, or 0.
 ///
 /// Let u = 2^-53, p_i the two products of the high parts, e_i their errors, P = |p0| + |p1|. Exactly,
 ///     value = p0 + p1 + e0 + e1 + tails + (low x low),   p0 + p1 = s + t,   e0 + e1 = w + v.
+/// Case 0: all low parts and both e_i are 0. Then value = p0 + p1, and its rounding has its sign.
 /// Case 1: all low parts, t and v are 0. Then value = s + w, and its rounding has its sign.
 /// Case 2: rest = t + (w + (v + tails)) is computed with an error of at most 17 u^2 P: u^2 P (1 + 2 u) for
 /// the products of low parts; 6 u^2 P for tails (at most 2 u P, three roundings each); 3 u^2 P for v + tails,
@@ -90,38 +99,29 @@ inline constexpr double kLeastFactor = 0x1p-450, kLargestFactor = 0x1p450;
 /// rest keeps its sign when rounded, so |fl(s + rest)| > 32 u^2 P proves the sign. Tails may underflow: 4 eta
 /// are far below u^2 kLeastFactor^2.
 template <class Plane>
-HWY_INLINE VectorSign sign_of_plane(const Plane& plane, VDouble x, VDouble y) {
+HWY_INLINE VectorSign sign_of_plane(const Plane& plane, const TwoDoubles& x, const TwoDoubles& y) {
   const Doubles d;
+  const VDouble zero = hn::Zero(d);
   const VDouble n0 = hn::Set(d, plane.n0_high), n1 = hn::Set(d, plane.n1_high);
-  const TwoDoubles dx = two_difference(x, hn::Set(d, plane.x0));
-  const TwoDoubles dy = two_difference(y, hn::Set(d, plane.y0));
-  const TwoDoubles p0 = two_product(n0, dx.high), p1 = two_product(n1, dy.high);
-  const TwoDoubles products = two_sum(p0.high, p1.high), errors = two_sum(p0.low, p1.low);
+  const bool short_normal = plane.n0_low == 0 && plane.n1_low == 0;
+  const TwoDoubles p0 = two_product(n0, x.high), p1 = two_product(n1, y.high);
+  const auto all_zero = [&](VDouble a, VDouble b) { return hn::Eq(hn::Or(hn::Abs(a), hn::Abs(b)), zero); };
+  const MDouble short_factors = all_zero(x.low, y.low);
+  const MDouble case_0 = hn::And(short_factors, all_zero(p0.low, p1.low));
+  if (HWY_LIKELY(short_normal && hn::AllTrue(d, case_0))) return {hn::Add(p0.high, p1.high), case_0};
 
-  VDouble tails = hn::Add(hn::Mul(n0, dx.low), hn::Mul(n1, dy.low));
+  const TwoDoubles products = two_sum(p0.high, p1.high), errors = two_sum(p0.low, p1.low);
   const VDouble normal_tails =
-      hn::Add(hn::Mul(hn::Set(d, plane.n0_low), dx.high), hn::Mul(hn::Set(d, plane.n1_low), dy.high));
-  tails = hn::Add(tails, normal_tails);
+      hn::Add(hn::Mul(hn::Set(d, plane.n0_low), x.high), hn::Mul(hn::Set(d, plane.n1_low), y.high));
+  const VDouble tails = hn::Add(hn::Add(hn::Mul(n0, x.low), hn::Mul(n1, y.low)), normal_tails);
   const VDouble rest = hn::Add(products.low, hn::Add(errors.high, hn::Add(errors.low, tails)));
   const VDouble value = hn::Add(products.high, rest);
 
-  const VDouble zero = hn::Zero(d);
   const VDouble sum = hn::Add(hn::Abs(p0.high), hn::Abs(p1.high));
-  const MDouble above = hn::Gt(hn::Abs(value), hn::Mul(sum, hn::Set(d, 0x1p-101)));
-  // Or-ing bit patterns: 0 only when all are +-0.
-  const VDouble lows =
-      hn::Or(hn::Or(hn::Abs(dx.low), hn::Abs(dy.low)), hn::Or(hn::Abs(products.low), hn::Abs(errors.low)));
-  MDouble exact = hn::Eq(lows, zero);
-  if (plane.n0_low != 0 || plane.n1_low != 0) exact = no_lanes(d);
-
-  const auto in_range = [&](VDouble difference) {
-    const VDouble size = hn::Abs(difference);
-    const MDouble neither =
-        hn::And(hn::Ge(size, hn::Set(d, kLeastFactor)), hn::Le(size, hn::Set(d, kLargestFactor)));
-    return hn::Or(neither, hn::Eq(size, zero));
-  };
-  const MDouble certain = hn::And(hn::Or(above, exact), hn::And(in_range(dx.high), in_range(dy.high)));
-  return {value, certain};
+  const MDouble case_2 = hn::Gt(hn::Abs(value), hn::Mul(sum, hn::Set(d, 0x1p-101)));
+  if (!short_normal) return {value, case_2};
+  const MDouble case_1 = hn::And(short_factors, all_zero(products.low, errors.low));
+  return {value, hn::Or(case_2, case_1)};
 }
 
 // NOLINTNEXTLINE(google-readability-namespace-comments)

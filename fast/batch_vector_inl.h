@@ -156,16 +156,16 @@ HWY_INLINE BatchCounters run_with_stages(const Kernel& kernel, const std::array<
                                          Decide decide) {
   BatchCounters counters;
   OpenItems<kArrays, F> items;
-  const auto resolve = [&] {
+  const auto resolve_all = [&]<bool kThreeWay>() {
     const std::size_t lanes = hn::Lanes(hn::ScalableTag<double>());
-    items.pad(lanes);
+    if (items.count != 0) items.pad(lanes);
     for (std::size_t first = 0; first < items.count; first += lanes) {
       const std::size_t many = std::min(lanes, items.count - first);
       std::array<const F*, kArrays> at;
       for (std::size_t i = 0; i < kArrays; ++i) at[i] = items.numbers[i] + first;
       BatchWord answers;
       answers.open = ~std::uint64_t{0};
-      if (has_second_stage) answers = kernel.resolve(at.data());
+      if (has_second_stage) answers = kernel.template resolve<kThreeWay>(at.data());
       for (std::size_t i = 0; i < many; ++i) {
         const std::size_t item = items.index[first + i];
         if ((answers.open >> i & 1) != 0) {
@@ -179,16 +179,19 @@ HWY_INLINE BatchCounters run_with_stages(const Kernel& kernel, const std::array<
     counters.second_stage += items.count;
     items.count = 0;
   };
-  const auto left_open = [&](std::size_t first, std::uint64_t open) {
-    items.add(arrays, first, open);
-    if (items.count >= items.kEnough) resolve();
+  const auto run = [&]<bool kThreeWay>() {
+    const auto left_open = [&](std::size_t first, std::uint64_t open) {
+      items.add(arrays, first, open);
+      if (items.count >= items.kEnough) resolve_all.template operator()<kThreeWay>();
+    };
+    run_words<kThreeWay>(kernel, arrays, count, out, left_open);
+    resolve_all.template operator()<kThreeWay>();
   };
   if (out.asks_three_way()) {
-    run_words<true>(kernel, arrays, count, out, left_open);
+    run.template operator()<true>();
   } else {
-    run_words<false>(kernel, arrays, count, out, left_open);
+    run.template operator()<false>();
   }
-  resolve();
   return counters;
 }
 
