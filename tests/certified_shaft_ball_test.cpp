@@ -152,6 +152,18 @@ TYPED_TEST(CertifiedShaftBall, SlacksArePaidByRoundingAlone) {
   EXPECT_EQ(answer(4, F(4) * (1 - 8 * u)), Category::inside);
 }
 
+/// Where squares underflow, rounding alone can double a sum of three: the offset pays for it.
+TYPED_TEST(CertifiedShaftBall, UnderflowingSquaresCullNothing) {
+  using F = TypeParam;
+  const long double ulp = std::numeric_limits<F>::denorm_min();
+  const F x = static_cast<F>(std::sqrt(0.55L * ulp)), r = static_cast<F>(std::sqrt(1.9L * ulp));
+  const Box<F> box{{-1, -1, -1, 0, 0, 0}};
+  const scene::ShaftBallCaseOf<F> c{box, box, {{x, x, x}, r}};  // d^2 = 1.65 ulp, computed as 3; r^2 as 2
+  ASSERT_EQ(exact::classify(as_double(c)), Category::overlap);
+  EXPECT_EQ(fast::classify(fast::form_certified_ball_shaft(box, box), c.t).answer, Category::overlap);
+  EXPECT_EQ(fast::classify(fast::form_shaft(box, box, Normals::unit), c.t).answer, Category::outside);
+}
+
 /// Above the largest safe radius only what the extent box culls is culled, and nothing is inside.
 TYPED_TEST(CertifiedShaftBall, HugeRadii) {
   using F = TypeParam;
@@ -166,6 +178,11 @@ TYPED_TEST(CertifiedShaftBall, HugeRadii) {
     EXPECT_TRUE(std::isinf(shaft.stated_gap.at(r)));
   }
   EXPECT_TRUE(std::isfinite(shaft.stated_gap.at(std::sqrt(most) / 4)));
+  // Far beyond a plane, where squares overflow and so cull nothing: the plane decides up to the largest
+  // radius.
+  const std::array<F, 3> beyond{most / 32, -most / 32, 0};
+  EXPECT_EQ(fast::classify(shaft, Ball<F>{beyond, most / 256}).answer, Category::outside);
+  EXPECT_EQ(fast::classify(shaft, Ball<F>{beyond, most / 128}).answer, Category::overlap);
   const Shaft<F> far =
       fast::form_certified_ball_shaft<F>({{-most, 0, 0, most / 2, 1, 1}}, {{0, 2, 0, most, 4, 1}});
   ASSERT_GT(far.plane_count, 0);

@@ -90,14 +90,17 @@ TYPED_TEST(CertifiedShaftBound, BallThresholdsAreTheDerivedOnes) {
       const mpq_class p = m0 * exact.most0 + m1 * exact.most1, d = m0 * abs(exact.a0) + m1 * abs(exact.a1);
       const mpq_class across = m0 * abs(exact.b0 - exact.a0) + m1 * abs(exact.b1 - exact.a1);
       const mpq_class underflow = kEta<F> * (4 * (exact.most0 + exact.most1) + 5);
+      // The set-up pays with the smallest normal number instead of eta.
+      const mpq_class for_underflow =
+          rational(std::numeric_limits<F>::min()) * (1 + exact.most0 + exact.most1);
       const mpq_class outside =
           kU<F> * (mpq_class(3.001) * p + mpq_class(3.001) * d + mpq_class(2.001) * across);
       const mpq_class inside = kU<F> * (mpq_class(7.011) * p + mpq_class(3.001) * d);
       EXPECT_GE(rational(plane.outside_threshold), outside + underflow) << text_of(a) << text_of(b);
       EXPECT_GE(-rational(plane.inside_threshold), inside + underflow) << text_of(a) << text_of(b);
-      EXPECT_LE(rational(plane.outside_threshold), outside * mpq_class(1.01) + 16 * underflow)
+      EXPECT_LE(rational(plane.outside_threshold), outside * mpq_class(1.01) + 2 * for_underflow)
           << text_of(a) << text_of(b);
-      EXPECT_LE(-rational(plane.inside_threshold), inside * mpq_class(1.02) + 16 * underflow)
+      EXPECT_LE(-rational(plane.inside_threshold), inside * mpq_class(1.02) + 2 * for_underflow)
           << text_of(a) << text_of(b);
       // A wrong keep's exact distance: the threshold, the error of T again, and the shortening of 2 P.
       const mpq_class keep = std::max(outside, inside) + underflow + kU<F> * 20 * p;

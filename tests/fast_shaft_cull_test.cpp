@@ -127,6 +127,35 @@ TEST(FastShaftCull, FalsePositiveOfTheSphereTest) {
   EXPECT_EQ(exact::refer_in_rationals(c).planes, Category::overlap);
 }
 
+/// Touching at a plane, where floats can be exact: a plane made by hand, x/2 + y/2 <= 1, as if of unit
+/// length.
+TEST(FastShaftCull, BallsTouchingAPlaneMeetAndAreWithin) {
+  Shaft<float> shaft = fast::form_shaft(kA, kB, Normals::unit);
+  shaft.extent = {{-99, -99, -99, 99, 99, 99}};
+  shaft.plane_count = 1;
+  shaft.plane_set[0] = {0.5f, 0.5f, -1, 0, 0, 3, 4};
+  const auto answer = [&](float x, float r) {
+    return fast::classify(shaft, Ball<float>{{x, x, 50}, r}).answer;
+  };
+  const auto printed = [&](float x, float r) {
+    return fast::classify_as_printed(shaft, Ball<float>{{x, x, 50}, r});
+  };
+  EXPECT_EQ(answer(4, 3), Category::overlap);
+  EXPECT_EQ(answer(4, 2.75f), Category::outside);
+  EXPECT_EQ(answer(-4, 5), Category::inside);
+  EXPECT_EQ(answer(-4, 5.25f), Category::overlap);
+  EXPECT_NE(printed(4, 3), Category::outside);
+  EXPECT_EQ(printed(4, 2.75f), Category::outside);
+  EXPECT_EQ(printed(-4, 5), Category::overlap);     // T > -radius fails at T = -radius
+  EXPECT_EQ(printed(-4, 5.25f), Category::inside);  // and holds when it sticks out: the erratum
+  shaft.plane_set[0].outside_threshold = 0.25f;
+  shaft.plane_set[0].inside_threshold = -0.25f;
+  EXPECT_EQ(answer(4, 2.75f), Category::overlap);
+  EXPECT_EQ(answer(4, 2.5f), Category::outside);
+  EXPECT_EQ(answer(-4, 5), Category::overlap);
+  EXPECT_EQ(answer(-4, 4.75f), Category::inside);
+}
+
 TEST(FastShaftCull, ANanInAPlaneKeeps) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const Box<float> beyond{{3, 0, 0, 4, 1, 1}}, within{{2, 2, 0, 3, 3, 1}};

@@ -169,6 +169,15 @@ TEST(FastShaft, UnitNormalsHaveLengthOneAndTheSamePlane) {
   EXPECT_GT(planes, affordable(5000));
 }
 
+/// The order ((n0 x) + (n1 y)) + d is what the error bounds are proved for: a value that shows it.
+TEST(FastShaft, ValueIsEvaluatedInThePapersOrder) {
+  ShaftPlane<float> plane{};
+  plane.n0 = plane.n1 = 1;
+  plane.d = -0x1p24f;
+  EXPECT_EQ(plane.value(0x1p24f, 1), 0);  // any other order answers 1
+  EXPECT_EQ(plane.value(1, 0x1p24f), 0);
+}
+
 TEST(FastShaft, RoundingConstants) {
   EXPECT_EQ(fast::Rounding<float>::u, 0x1p-24f);
   EXPECT_EQ(fast::Rounding<double>::u, 0x1p-53);

@@ -156,7 +156,10 @@ TEST(ShaftGap, BoundIsInfiniteOnlyWhereIntervalsOverflow) {
   EXPECT_EQ(exact::gap_bound(far, Boundary::outside), HUGE_VAL);
   const ShaftBallCase ball{c.a, c.b, {{1, 4, 0}, 0.25}};
   EXPECT_LE(exact::gap_bound(ball, Boundary::outside), 20);
-  EXPECT_EQ(exact::gap_bound(ball, Boundary::inside), HUGE_VAL);
+  ShaftBallCase far_ball = ball;
+  far_ball.b.hi(0) = 1e100;
+  EXPECT_EQ(exact::gap_bound(far_ball, Boundary::outside), HUGE_VAL);
+  EXPECT_EQ(exact::gap_bound(far_ball, Boundary::inside), HUGE_VAL);
 }
 
 }  // namespace
