@@ -202,6 +202,19 @@ int run_report(const std::string& folder, const std::string& out) {
   return 0;
 }
 
+/// Whole numbers alone: CLI11 reads "-5" as the largest count but four.
+CLI::Validator whole_number(std::uint64_t least, std::uint64_t most) {
+  return {[least, most](const std::string& text) -> std::string {
+            std::uint64_t value = 0;
+            const char* const end = text.data() + text.size();
+            const auto [stop, error] = std::from_chars(text.data(), end, value);
+            if (error == std::errc{} && stop == end && value >= least && value <= most) return {};
+            return "expected a whole number from " + std::to_string(least) + " to " + std::to_string(most) +
+                   ", found \"" + text + "\"";
+          },
+          ""};
+}
+
 void add_fuzz(CLI::App& app, FuzzArguments& arguments, std::function<int()>& run) {
   CLI::App* verb = app.add_subcommand("fuzz", "Run a campaign: methods against the exact references");
   verb->add_option("question", arguments.question, "shaft-box or shaft-sphere")->required();
@@ -211,15 +224,20 @@ void add_fuzz(CLI::App& app, FuzzArguments& arguments, std::function<int()>& run
   verb->add_option("--scalar", arguments.scalar, "f32 or f64 cases for all methods; without it each its own");
   verb->add_option("--trials", arguments.options.trials,
                    "trials a row (question, method, distribution, scalar)")
+      ->check(whole_number(1, 1000000000000000000))
       ->capture_default_str();
   verb->add_option("--time", arguments.time, "instead of --trials: 60s, 5m, 2h for the whole campaign");
   verb->add_option("--seed", arguments.options.seed, "the same seed gives the same results")
+      ->check(whole_number(0, UINT64_MAX))
       ->capture_default_str();
   arguments.options.jobs = std::max(1u, std::thread::hardware_concurrency());
-  verb->add_option("--jobs", arguments.options.jobs, "threads; changes no result")->capture_default_str();
+  verb->add_option("--jobs", arguments.options.jobs, "threads; changes no result")
+      ->check(whole_number(1, 1024))
+      ->capture_default_str();
   verb->add_option("--shard", arguments.shard, "I/N: this run takes the I-th of N parts of the trials");
   verb->add_option("--witnesses", arguments.options.witnesses_per_row,
                    "disagreements of each kind a row that are shrunk")
+      ->check(whole_number(0, 1000000))
       ->capture_default_str();
   verb->add_option("--out", arguments.out, "folder for the result file and the witnesses");
   verb->add_option("--json", arguments.json, "result file");
