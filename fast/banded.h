@@ -2,6 +2,7 @@
 // An answer together with whether the thresholds vouch for it.
 #pragma once
 
+#include "fast/strict_float.h"
 #include "scene/category.h"
 
 namespace gnomon::fast {
