@@ -41,6 +41,20 @@ HWY_INLINE std::uint64_t bits_of(D d, hn::Mask<D> mask) {
   return word;
 }
 
+/// std::max(std::max(lo - x, x - hi), 0), NaN included: std::max(p, q) is q only where p < q, and so is x86's
+/// maximum with its operands the other way round.
+template <class V>
+HWY_INLINE V positive_part_of_larger(V lo, V x, V hi) {
+  const auto std_max = [](V p, V q) {
+#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+    return hn::Max(q, p);
+#else
+    return hn::IfThenElse(hn::Lt(p, q), q, p);
+#endif
+  };
+  return std_max(std_max(hn::Sub(lo, x), hn::Sub(x, hi)), hn::Zero(hn::DFromV<V>()));
+}
+
 /// Writes 64 answers: 0, 1 where kept, 2 where inside too.
 HWY_INLINE void store_bytes(std::uint64_t kept, std::uint64_t inside, std::uint8_t* answers) {
 #if HWY_TARGET == HWY_SCALAR

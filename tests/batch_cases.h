@@ -13,6 +13,7 @@
 
 #include "fast/batch_types.h"
 #include "fast/shaft.h"
+#include "fast/slab_ball.h"
 #include "fuzz/generator.h"
 #include "fuzz/shapes.h"
 
@@ -126,6 +127,73 @@ BoxBatch<F> make_boxes(const fuzz::DistributionChoice& choice, std::uint64_t tri
     batch.add(c.t);
   }
   return batch;
+}
+
+/// The radius at which a ball around p touches the shaft from outside, or (p within) one of its sides from
+/// inside; in doubles.
+template <class F>
+double touching_radius(const fast::Shaft<F>& shaft, const std::array<F, 3>& p) {
+  const auto a = scene::converted<double>(shaft.a), b = scene::converted<double>(shaft.b);
+  std::array<double, 3> centre;
+  for (std::size_t i = 0; i < 3; ++i) centre[i] = static_cast<double>(p[i]);
+  const double outer = std::sqrt(fast::squared_distance_to_shaft(a, b, centre));
+  if (outer > 0) return outer;
+  const auto wide = fast::form_shaft(a, b, fast::Normals::unit);
+  double inner = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    const double x = centre[static_cast<std::size_t>(axis)];
+    inner = std::min({inner, x - wide.extent.lo(axis), wide.extent.hi(axis) - x});
+  }
+  for (const auto& plane : wide.planes()) inner = std::min(inner, -plane.value_at(centre));
+  return std::max(inner, 0.0);
+}
+
+template <class F>
+BallBatch<F> make_balls(const fuzz::DistributionChoice& choice, std::uint64_t trial, int count) {
+  const auto generator = fuzz::make_generator<scene::ShaftBallCase>(choice, kScalarOf<F>);
+  fuzz::CaseRandom random(22, 1, trial);
+  const auto own = scene::converted<F>(generator->make(random));
+  const fast::Shaft<F> shaft = fast::form_shaft(own.a, own.b, fast::Normals::as_formed);
+  BallBatch<F> batch{own.a, own.b, {}};
+  batch.add(own.t);
+  for (int i = 1; i < count; ++i) {
+    const auto other = scene::converted<F>(generator->make(random));
+    scene::Ball<F> t = other.t;
+    const int kind = random.below(6);
+    if (kind == 0) {  // the same ball, moved by ulps
+      t = own.t;
+      for (F& x : t.centre) x = fuzz::step_ulps(x, random.integer(-1, 1));
+      t.radius = fuzz::step_ulps(t.radius, random.integer(-2, 2));
+    } else if (kind <= 3) {  // centres on the shaft's coordinates, edges and planes, or anywhere
+      for (std::size_t k = 0; k < 3; ++k) {
+        const F pool[] = {own.a.c[k], own.a.c[k + 3], own.b.c[k], own.b.c[k + 3], other.t.centre[k]};
+        t.centre[k] = pool[kind == 1 ? random.below(5) : 4];
+      }
+      if (kind == 2 && shaft.plane_count > 0) {
+        const scene::Box<F> box = at_a_plane(
+            random, shaft,
+            scene::Box<F>{{t.centre[0], t.centre[1], t.centre[2], t.centre[0], t.centre[1], t.centre[2]}});
+        for (std::size_t k = 0; k < 3; ++k) t.centre[k] = box.c[k];
+      }
+      // Touching, a few ulps off, or touching a side or a point.
+      const int ulps = random.integer(-3, 3);
+      t.radius = fuzz::step_ulps(static_cast<F>(touching_radius(shaft, t.centre)), ulps);
+      if (random.chance(0.2)) t.radius = 0;
+    }
+    if (!(t.radius >= 0)) t.radius = 0;
+    if (!std::isfinite(t.radius)) t.radius = std::numeric_limits<F>::max();
+    batch.add(t);
+  }
+  return batch;
+}
+
+template <class F>
+std::string text_of(const scene::Ball<F>& ball) {
+  char text[160];
+  std::snprintf(text, sizeof text, "%a %a %a %a", static_cast<double>(ball.centre[0]),
+                static_cast<double>(ball.centre[1]), static_cast<double>(ball.centre[2]),
+                static_cast<double>(ball.radius));
+  return text;
 }
 
 template <class F>
