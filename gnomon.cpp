@@ -15,13 +15,12 @@
 #include "fuzz/campaign.h"
 #include "fuzz/replay.h"
 #include "fuzz/shaft_questions.h"
-#include "fuzz/witness.h"
+#include "reports/campaign_files.h"
 #include "reports/campaign_text.h"
 #include "reports/environment.h"
 #include "reports/explain.h"
 #include "reports/html_report.h"
 #include "reports/replay_json.h"
-#include "reports/result_json.h"
 #include "reports/verbs_results.h"
 #include "scene/atomic_file.h"
 #include "scene/input_error.h"
@@ -32,9 +31,28 @@ using namespace gnomon;
 
 constexpr int kBroken = 1, kBadInput = 2;
 
+/// --plugin LIB.so and --plugin-timeout, which several verbs take.
+struct PluginArguments {
+  std::vector<std::string> libraries;
+  double seconds = 10;  // a thousand times what a batch of 1024 cases takes at 10 us each
+  fuzz::Plugins loaded;
+
+  void add_to(CLI::App* verb) {
+    verb->add_option("--plugin", libraries, "a shared library with methods of its own (repeatable)");
+    verb->add_option("--plugin-timeout", seconds, "seconds that a plug-in may take for 1024 cases")
+        ->check(CLI::Range(0.001, 86400.0))
+        ->capture_default_str();
+  }
+  const fuzz::Plugins* load() {
+    for (const std::string& library : libraries) loaded.load(library, seconds);
+    return &loaded;
+  }
+};
+
 struct FuzzArguments {
   std::string question, scalar, time, shard, out, json;
   fuzz::CampaignOptions options;
+  PluginArguments plugins;
 };
 
 /// "60s", "5m", "2h", or seconds.
@@ -91,6 +109,7 @@ class ProgressLine {
 std::string command_of(const FuzzArguments& arguments) {
   const fuzz::CampaignOptions& options = arguments.options;
   std::string text = "gnomon fuzz " + arguments.question;
+  for (const std::string& library : arguments.plugins.libraries) text += " --plugin " + library;
   for (const std::string& name : options.methods) text += " --method " + name;
   for (const std::string& name : options.distributions) text += " --distribution " + name;
   if (!arguments.scalar.empty()) text += " --scalar " + arguments.scalar;
@@ -101,30 +120,16 @@ std::string command_of(const FuzzArguments& arguments) {
   return text;
 }
 
-fuzz::CampaignResult run_question(const FuzzArguments& arguments, const fuzz::OnProgress& on_progress) {
+fuzz::CampaignResult run_question(const FuzzArguments& arguments, const fuzz::OnProgress& on_progress,
+                                  const fuzz::OnBatch& on_batch) {
   if (arguments.question == fuzz::ShaftBoxQuestion::id) {
-    return fuzz::run_campaign<fuzz::ShaftBoxQuestion>(arguments.options, on_progress);
+    return fuzz::run_campaign<fuzz::ShaftBoxQuestion>(arguments.options, on_progress, on_batch);
   }
   if (arguments.question == fuzz::ShaftBallQuestion::id) {
-    return fuzz::run_campaign<fuzz::ShaftBallQuestion>(arguments.options, on_progress);
+    return fuzz::run_campaign<fuzz::ShaftBallQuestion>(arguments.options, on_progress, on_batch);
   }
   throw fuzz::UsageError("fuzz: expected a question (shaft-box, shaft-sphere), found \"" +
                          arguments.question + "\"");
-}
-
-void write_results(const FuzzArguments& arguments, const fuzz::CampaignResult& result) {
-  const std::string json = reports::result_json(result);
-  if (!arguments.json.empty()) scene::write_whole_file(arguments.json, json);
-  if (arguments.out.empty()) return;
-  const std::filesystem::path folder(arguments.out);
-  for (const fuzz::RowResult& row : result.rows) {
-    for (const fuzz::Witness& witness : row.witnesses) {
-      scene::write_whole_file(folder / "witnesses" / witness.name, fuzz::witness_text(witness));
-    }
-  }
-  std::string name = arguments.question + "-" + std::to_string(result.seed);
-  if (result.shards > 1) name += "-" + std::to_string(result.shard) + "of" + std::to_string(result.shards);
-  scene::write_whole_file(folder / (name + ".json"), json);
 }
 
 int run_fuzz(FuzzArguments& arguments) {
@@ -143,13 +148,21 @@ int run_fuzz(FuzzArguments& arguments) {
     throw fuzz::UsageError(
         "the floating-point environment is not IEEE round-to-nearest with denormals: no result would hold");
   }
+  options.plugins = arguments.plugins.load();
+  reports::CampaignFiles files(arguments.out, arguments.json);
   fuzz::CampaignResult result;
   {
     ProgressLine line;
-    result = run_question(arguments, [&line](const fuzz::Progress& progress) { line(progress); });
+    const auto keep = [&](fuzz::CampaignResult so_far) {
+      so_far.command = command_of(arguments);
+      files.write(so_far, arguments.question);
+    };
+    result = run_question(
+        arguments, [&line](const fuzz::Progress& progress) { line(progress); }, keep);
+    result.command = command_of(arguments);
+    files.write(result, arguments.question);
+    files.write_failures(result, arguments.question);
   }
-  result.command = command_of(arguments);
-  write_results(arguments, result);
   std::cout << reports::campaign_text(result);
   for (const fuzz::RowResult& row : result.rows) {
     if (!row.promise_broken()) continue;
@@ -157,17 +170,21 @@ int run_fuzz(FuzzArguments& arguments) {
               << " broke its promise (" << row.promise << ")\n";
     for (const fuzz::Witness& witness : row.witnesses) std::cerr << "  " << witness.case_text << "\n";
   }
+  for (const fuzz::Failure& failure : result.failures) {
+    std::cerr << "gnomon: " << failure.line << " (" << failure.distribution << " " << failure.scalar << ")\n";
+  }
+  if (!result.failures.empty()) return kBadInput;
   return result.promise_broken() ? kBroken : 0;
 }
 
 int run_replay(const std::vector<std::string>& files, const std::vector<std::string>& methods,
-               const std::string& json) {
+               const std::string& json, PluginArguments& plugins) {
   std::vector<scene::CorpusLine> corpus;
   for (const std::string& file : files) {
     std::vector<scene::CorpusLine> lines = scene::read_corpus(file);
     corpus.insert(corpus.end(), std::make_move_iterator(lines.begin()), std::make_move_iterator(lines.end()));
   }
-  const fuzz::ReplayResult result = fuzz::replay(corpus, methods);
+  const fuzz::ReplayResult result = fuzz::replay(corpus, methods, plugins.load());
   if (!json.empty()) scene::write_whole_file(json, reports::replay_json(result));
   for (const fuzz::ReplayLine& line : result.lines) {
     std::cout << line.where << " " << line.method << " " << line.answer << " " << line.reference << " "
@@ -178,21 +195,25 @@ int run_replay(const std::vector<std::string>& files, const std::vector<std::str
   }
   std::cerr << result.cases << " cases, " << result.stated << " with a stated answer, "
             << result.wrong_answers.size() << " of them wrong\n";
+  for (const std::string& failure : result.failures) std::cerr << "gnomon: " << failure << "\n";
+  if (!result.failures.empty()) return kBadInput;
   return result.promise_broken() || !result.wrong_answers.empty() ? kBroken : 0;
 }
 
-int run_explain(const std::string& file, const std::string& svg) {
+int run_explain(const std::string& file, const std::string& svg, PluginArguments& plugins) {
   const std::vector<scene::CorpusLine> corpus = scene::read_corpus(file);
   if (!svg.empty() && corpus.size() != 1) {
     throw scene::InputError(file, 0, "expected one case for --svg, found " + std::to_string(corpus.size()));
   }
-  for (const scene::CorpusLine& line : corpus) std::cout << reports::explain(line) << "\n";
+  const fuzz::Plugins* const loaded = plugins.load();
+  for (const scene::CorpusLine& line : corpus) std::cout << reports::explain(line, loaded) << "\n";
   if (!svg.empty()) scene::write_whole_file(svg, reports::explain_svg(corpus.front()));
   return 0;
 }
 
-int run_list(bool json) {
-  std::cout << (json ? reports::list_json() : reports::list_text());
+int run_list(bool json, PluginArguments& plugins) {
+  const fuzz::Plugins* const loaded = plugins.load();
+  std::cout << (json ? reports::list_json(loaded) : reports::list_text(loaded));
   return 0;
 }
 
@@ -241,11 +262,13 @@ void add_fuzz(CLI::App& app, FuzzArguments& arguments, std::function<int()>& run
       ->capture_default_str();
   verb->add_option("--out", arguments.out, "folder for the result file and the witnesses");
   verb->add_option("--json", arguments.json, "result file");
+  arguments.plugins.add_to(verb);
   verb->footer(
       "Examples:\n"
       "  gnomon fuzz shaft-box\n"
       "  gnomon fuzz shaft-box --method naive-f32 --distribution near-touch --trials 10000000 --out results\n"
-      "  gnomon fuzz shaft-sphere --distribution mesh:bunny.off --time 60s --json bunny.json");
+      "  gnomon fuzz shaft-sphere --distribution mesh:bunny.off --time 60s --json bunny.json\n"
+      "  gnomon fuzz shaft-box --plugin ./mine.so --distribution grid --out results");
   verb->final_callback([&] { run = [&arguments] { return run_fuzz(arguments); }; });
 }
 
@@ -275,29 +298,33 @@ int main(int argc, char** argv) {
   std::vector<std::string> replay_files, replay_methods;
   std::string replay_json, explain_file, explain_svg, report_folder, report_out = "report.html";
   bool list_as_json = false;
+  PluginArguments plugins;  // of the verb that runs
 
   CLI::App* list = app.add_subcommand("list", "Questions, methods with their promises, distributions");
   list->add_flag("--json", list_as_json, "as JSON");
-  list->final_callback([&] { run = [&] { return run_list(list_as_json); }; });
+  plugins.add_to(list);
+  list->final_callback([&] { run = [&] { return run_list(list_as_json, plugins); }; });
 
   CLI::App* replay = app.add_subcommand("replay", "Run text corpora or witness files again");
   replay->add_option("files", replay_files, "text corpora or witness files")->required();
   replay->add_option("--method", replay_methods, "a method (repeatable); all without it");
   replay->add_option("--json", replay_json, "result file");
+  plugins.add_to(replay);
   replay->footer(
       "Prints FILE:LINE method answer reference verdict for each case and method.\n"
       "Example: gnomon replay tests/corpus/shaft.txt --method exact");
   replay->final_callback(
-      [&] { run = [&] { return run_replay(replay_files, replay_methods, replay_json); }; });
+      [&] { run = [&] { return run_replay(replay_files, replay_methods, replay_json, plugins); }; });
 
   CLI::App* explain =
       app.add_subcommand("explain", "A case in words, decimals, hex floats, exact gap, and a picture");
   explain->add_option("witness", explain_file, "a witness file or text corpus")->required();
   explain->add_option("--svg", explain_svg, "write the picture as SVG too");
+  plugins.add_to(explain);
   explain->footer(
       "Example: gnomon explain results/witnesses/shaft-box.naive-f32.false-cull.offset.f32.1.123.txt --svg "
       "case.svg");
-  explain->final_callback([&] { run = [&] { return run_explain(explain_file, explain_svg); }; });
+  explain->final_callback([&] { run = [&] { return run_explain(explain_file, explain_svg, plugins); }; });
 
   CLI::App* report = app.add_subcommand("report", "Result files to one self-contained HTML page");
   report->add_option("folder", report_folder, "folder with result files (*.json)")->required();

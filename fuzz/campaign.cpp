@@ -6,10 +6,13 @@
 #include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <set>
 #include <thread>
 
+#include "fuzz/first_failures.h"
 #include "fuzz/trial_block.h"
 #include "fuzz/witness.h"
+#include "scene/corpus.h"
 
 namespace gnomon::fuzz {
 
@@ -38,7 +41,7 @@ std::vector<Batch<Q>> plan(const CampaignOptions& options) {
       if (!distribution.needs_argument) choices.push_back({&distribution, ""});
     }
   }
-  const std::vector<const Method<Q>*> chosen = choose_methods<Q>(options.methods);
+  const std::vector<const Method<Q>*> chosen = choose_methods<Q>(options.methods, options.plugins);
   std::vector<Batch<Q>> batches;
   for (const DistributionChoice& choice : choices) {
     for (const scene::Scalar scalar : {scene::Scalar::f32, scene::Scalar::f64}) {
@@ -55,6 +58,9 @@ std::vector<Batch<Q>> plan(const CampaignOptions& options) {
 
 /// What the threads of one batch share.
 struct Shared {
+  explicit Shared(std::size_t methods) : failures(methods) {}
+
+  FirstFailures failures;
   std::atomic<std::uint64_t> next_chunk = 0;
   std::atomic<std::uint64_t> chunks_done = 0;
   std::atomic<unsigned> threads_left = 0;
@@ -66,6 +72,7 @@ struct Shared {
 
 struct BatchTotals {
   std::vector<Tally> tallies;
+  std::vector<std::optional<MethodFailure>> failures;  // of each method
   double reference_ns = 0, core_ns = 0;
 };
 
@@ -82,11 +89,18 @@ void work(const Batch<Q>& batch, const Generator<typename Q::Case>& generator, c
     if (deadline && Clock::now() >= *deadline) break;
     const std::uint64_t taken = shared.next_chunk.fetch_add(1);
     const std::uint64_t chunk = taken * options.shards + (options.shard - 1);
-    if (chunk >= chunks) break;
+    if (chunk >= chunks || shared.failures.all_before(chunk)) break;
     const std::uint64_t first = chunk * kSize;
     const std::uint64_t count = deadline ? kSize : std::min(kSize, options.trials - first);
     block.fill(generator, first, static_cast<std::size_t>(count));
-    for (std::size_t m = 0; m < batch.methods.size(); ++m) block.run(*batch.methods[m], tallies[m]);
+    for (std::size_t m = 0; m < batch.methods.size(); ++m) {
+      if (shared.failures.before(m, chunk)) continue;
+      try {
+        block.run(*batch.methods[m], tallies[m]);
+      } catch (const MethodFailure& failure) {
+        shared.failures.add(m, chunk, failure);
+      }
+    }
     shared.chunks_done.fetch_add(1, std::memory_order_relaxed);
   }
   const std::lock_guard lock(shared.mutex);
@@ -107,7 +121,7 @@ BatchTotals run_batch(const Batch<Q>& batch, const Generator<typename Q::Case>& 
   if (options.seconds)
     deadline = start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
   const std::uint64_t chunks = deadline ? UINT64_MAX / kSize : (options.trials + kSize - 1) / kSize;
-  Shared shared;
+  Shared shared(batch.methods.size());
   shared.threads_left = options.jobs;
   {
     std::vector<std::jthread> threads;
@@ -136,13 +150,38 @@ BatchTotals run_batch(const Batch<Q>& batch, const Generator<typename Q::Case>& 
     }
   }
   if (shared.error) std::rethrow_exception(shared.error);
+  for (std::size_t m = 0; m < batch.methods.size(); ++m) totals.failures.push_back(shared.failures.of(m));
   return totals;
+}
+
+/// The witness of a fault, shrunk; as generated where the method fails on simpler cases; else none. Says in
+/// `failure` what went wrong.
+template <class Q>
+std::optional<Witness> witness_of(const Method<Q>& method, scene::Scalar scalar, const typename Q::Case& c,
+                                  Fault fault, std::optional<MethodFailure>& failure) {
+  for (const Shrinking shrinking : {Shrinking::on, Shrinking::off}) {
+    try {
+      const Trial again = try_case(method, scalar, c);
+      const bool wrong = again.verdict == Verdict::waste || again.verdict == Verdict::unsound;
+      if (!wrong || Q::fault(again.truth, again.answer) != fault) {
+        const std::string text = scene::corpus_text(Q::id, numbers_of(c), "");
+        failure = MethodFailure(
+            std::string(method.name) + " answered otherwise when asked again, alone, on " + text, {text});
+        return std::nullopt;
+      }
+      return make_witness(method, scalar, c, shrinking);
+    } catch (const MethodFailure& thrown) {
+      if (!failure) failure = thrown;
+    }
+  }
+  return std::nullopt;
 }
 
 template <class Q>
 RowResult row_of(const Batch<Q>& batch, const Method<Q>& method, const Tally& tally,
                  const BatchTotals& totals, const Generator<typename Q::Case>& generator,
-                 const CampaignOptions& options, std::uint32_t stream) {
+                 const CampaignOptions& options, std::uint32_t stream,
+                 std::optional<MethodFailure>& failure) {
   RowResult row;
   row.question = Q::id;
   row.method = method.name;
@@ -175,12 +214,14 @@ RowResult row_of(const Batch<Q>& batch, const Method<Q>& method, const Tally& ta
   }
   for (std::size_t fault = 0; fault < kFaults && method.tier != "trivial"; ++fault) {
     for (const std::uint64_t trial : tally.faults[fault].trials()) {
-      Witness witness = make_witness(method, batch.scalar, case_of_trial(trial));
-      witness.distribution = row.distribution;
-      witness.seed = options.seed;
-      witness.trial = trial;
-      witness.name = witness_name(witness);
-      row.witnesses.push_back(std::move(witness));
+      std::optional<Witness> witness =
+          witness_of(method, batch.scalar, case_of_trial(trial), static_cast<Fault>(fault), failure);
+      if (!witness) continue;
+      witness->distribution = row.distribution;
+      witness->seed = options.seed;
+      witness->trial = trial;
+      witness->name = witness_name(*witness);
+      row.witnesses.push_back(std::move(*witness));
     }
   }
   if (tally.trials > 0) {
@@ -193,18 +234,19 @@ RowResult row_of(const Batch<Q>& batch, const Method<Q>& method, const Tally& ta
 }  // namespace
 
 template <class Q>
-std::vector<const Method<Q>*> choose_methods(const std::vector<std::string>& names) {
+std::vector<const Method<Q>*> choose_methods(const std::vector<std::string>& names, const Plugins* plugins) {
+  const std::vector<const Method<Q>*> all_rows = all_methods<Q>(plugins);
   std::vector<const Method<Q>*> chosen;
-  for (const Method<Q>& method : methods<Q>()) {
-    if (names.empty() || std::find(names.begin(), names.end(), method.name) != names.end())
-      chosen.push_back(&method);
+  for (const Method<Q>* method : all_rows) {
+    if (names.empty() || std::find(names.begin(), names.end(), method->name) != names.end())
+      chosen.push_back(method);
   }
   for (const std::string& name : names) {
     const bool known =
         std::any_of(chosen.begin(), chosen.end(), [&](const Method<Q>* m) { return m->name == name; });
     if (known) continue;
     std::string all;
-    for (const Method<Q>& method : methods<Q>()) all += (all.empty() ? "" : ", ") + std::string(method.name);
+    for (const Method<Q>* method : all_rows) all += (all.empty() ? "" : ", ") + std::string(method->name);
     throw UsageError("--method: expected one of " + all + " for " + std::string(Q::id) + ", found \"" + name +
                      "\"");
   }
@@ -212,8 +254,9 @@ std::vector<const Method<Q>*> choose_methods(const std::vector<std::string>& nam
 }
 
 template <class Q>
-CampaignResult run_campaign(const CampaignOptions& options, const OnProgress& on_progress) {
-  const std::vector<Batch<Q>> batches = plan<Q>(options);
+CampaignResult run_campaign(const CampaignOptions& options, const OnProgress& on_progress,
+                            const OnBatch& on_batch) {
+  std::vector<Batch<Q>> batches = plan<Q>(options);
   // A mesh that can't be read is said before hours of trials, not after.
   std::vector<std::unique_ptr<Generator<typename Q::Case>>> generators;
   for (const Batch<Q>& batch : batches)
@@ -225,8 +268,12 @@ CampaignResult run_campaign(const CampaignOptions& options, const OnProgress& on
   result.shards = options.shards;
   result.witnesses_per_row = options.witnesses_per_row;
   const double share = 1.0 / static_cast<double>(batches.size());
+  std::set<std::string_view> retired;  // methods that failed: what follows would only fail again
   for (std::size_t b = 0; b < batches.size(); ++b) {
-    const Batch<Q>& batch = batches[b];
+    Batch<Q>& batch = batches[b];
+    std::erase_if(batch.methods, [&](const Method<Q>* method) { return retired.contains(method->name); });
+    result.complete = b + 1 == batches.size();
+    if (batch.methods.empty()) continue;
     const std::string where =
         std::string(Q::id) + " " + batch.choice.label() + " " + std::string(name_of(batch.scalar));
     const std::uint32_t stream = stream_of(where);
@@ -239,17 +286,30 @@ CampaignResult run_campaign(const CampaignOptions& options, const OnProgress& on
     result.seconds += seconds_since(start);
     result.core_seconds += totals.core_ns * 1e-9;
     for (std::size_t m = 0; m < batch.methods.size(); ++m) {
-      result.rows.push_back(
-          row_of(batch, *batch.methods[m], totals.tallies[m], totals, *generators[b], options, stream));
-      result.trials += totals.tallies[m].trials;
+      const Method<Q>& method = *batch.methods[m];
+      std::optional<MethodFailure> failure = totals.failures[m];
+      if (!failure) {
+        result.rows.push_back(
+            row_of(batch, method, totals.tallies[m], totals, *generators[b], options, stream, failure));
+        result.trials += totals.tallies[m].trials;
+      }
+      if (!failure) continue;
+      result.failures.push_back({std::string(method.name), batch.choice.label(),
+                                 std::string(name_of(batch.scalar)), failure->what(), failure->cases()});
+      retired.insert(method.name);
     }
+    if (on_batch) on_batch(result);
   }
   return result;
 }
 
-template CampaignResult run_campaign<ShaftBoxQuestion>(const CampaignOptions&, const OnProgress&);
-template CampaignResult run_campaign<ShaftBallQuestion>(const CampaignOptions&, const OnProgress&);
-template std::vector<const Method<ShaftBoxQuestion>*> choose_methods(const std::vector<std::string>&);
-template std::vector<const Method<ShaftBallQuestion>*> choose_methods(const std::vector<std::string>&);
+template CampaignResult run_campaign<ShaftBoxQuestion>(const CampaignOptions&, const OnProgress&,
+                                                       const OnBatch&);
+template CampaignResult run_campaign<ShaftBallQuestion>(const CampaignOptions&, const OnProgress&,
+                                                        const OnBatch&);
+template std::vector<const Method<ShaftBoxQuestion>*> choose_methods(const std::vector<std::string>&,
+                                                                     const Plugins*);
+template std::vector<const Method<ShaftBallQuestion>*> choose_methods(const std::vector<std::string>&,
+                                                                      const Plugins*);
 
 }  // namespace gnomon::fuzz

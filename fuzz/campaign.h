@@ -10,6 +10,7 @@
 
 #include "fuzz/generator.h"
 #include "fuzz/method.h"
+#include "fuzz/plugin_host.h"
 #include "fuzz/row_result.h"
 
 namespace gnomon::fuzz {
@@ -24,6 +25,7 @@ struct CampaignOptions {
   std::vector<std::string> methods;        ///< empty: all
   std::vector<std::string> distributions;  ///< empty: all that need no argument
   unsigned witnesses_per_row = 1;          ///< how many disagreements of each fault are shrunk; 0: none
+  const Plugins* plugins = nullptr;        ///< whose methods are rows, too
 };
 
 /// How far a campaign is: shares of 1, for a progress line.
@@ -32,14 +34,19 @@ struct Progress {
   std::string where;
 };
 using OnProgress = std::function<void(const Progress&)>;
+/// What is known when another distribution is done: rows so far, whole.
+using OnBatch = std::function<void(const CampaignResult&)>;
 
 /// Runs a campaign. Throws UsageError for methods or distributions that do not exist, scene::InputError for
-/// mesh files that can't be read. `on_progress` is called from one thread, a few times a second.
+/// mesh files that can't be read. `on_progress` is called from one thread, a few times a second; `on_batch`
+/// after each distribution and scalar. A method that fails is left out from there on, and said in `failures`.
 template <class Q>
-[[nodiscard]] CampaignResult run_campaign(const CampaignOptions& options, const OnProgress& on_progress = {});
+[[nodiscard]] CampaignResult run_campaign(const CampaignOptions& options, const OnProgress& on_progress = {},
+                                          const OnBatch& on_batch = {});
 
 /// The methods of Q by name, all when `names` is empty. Throws UsageError naming the known ones.
 template <class Q>
-[[nodiscard]] std::vector<const Method<Q>*> choose_methods(const std::vector<std::string>& names);
+[[nodiscard]] std::vector<const Method<Q>*> choose_methods(const std::vector<std::string>& names,
+                                                           const Plugins* plugins = nullptr);
 
 }  // namespace gnomon::fuzz

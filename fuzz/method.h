@@ -2,6 +2,7 @@
 // One row of the registry: a method, what it promises, and how to run it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -25,26 +26,64 @@ enum class Promise : std::uint8_t { none, never_unsound, always_agrees };
   return "?";
 }
 
-/// The exact twin of a method: the same algorithm in exact arithmetic.
-enum class Twin : std::uint8_t { always_overlap, printed, planes, truth };
+/// The exact twin of a method: the same algorithm in exact arithmetic. A plug-in's is unknown: its errors are
+/// not told apart into rounding and model.
+enum class Twin : std::uint8_t { always_overlap, printed, planes, truth, unknown };
+
+/// A method that is more than a function: a plug-in's. Several threads may run it at once.
+template <class Case>
+class Runner {
+ public:
+  Runner() = default;
+  Runner(const Runner&) = delete;
+  Runner& operator=(const Runner&) = delete;
+  virtual ~Runner() = default;
+  /// Answers each of the cases. Returns the nanoseconds of processor time that it took in other processes.
+  /// Throws MethodFailure when there are no answers.
+  virtual double run(std::span<const Case> cases, std::span<Answer> answers) const = 0;
+};
+
+/// How a row answers a batch: by a function, by a runner that outlives the row, or not at all (null).
+template <class Case>
+class Run {
+ public:
+  using Function = void (*)(std::span<const Case>, std::span<Answer>);
+  constexpr Run(std::nullptr_t = nullptr) {}  // NOLINT(google-explicit-constructor): rows are tables
+  constexpr Run(Function function) : function_(function) {}       // NOLINT(google-explicit-constructor)
+  constexpr Run(const Runner<Case>* runner) : runner_(runner) {}  // NOLINT(google-explicit-constructor)
+
+  /// Returns the nanoseconds that were spent elsewhere; a function's are spent here.
+  double operator()(std::span<const Case> cases, std::span<Answer> answers) const {
+    if (runner_ != nullptr) return runner_->run(cases, answers);
+    function_(cases, answers);
+    return 0;
+  }
+  friend constexpr bool operator==(const Run& run, std::nullptr_t) {
+    return run.function_ == nullptr && run.runner_ == nullptr;
+  }
+
+ private:
+  Function function_ = nullptr;
+  const Runner<Case>* runner_ = nullptr;
+};
 
 /// A method for the question Q. It has a form for floats, for doubles, or both; each answers a batch of valid
 /// cases.
 template <class Q>
 struct Method {
   template <class F>
-  using Run = void (*)(std::span<const typename Q::template CaseOf<F>>, std::span<Answer>);
+  using RunOf = Run<typename Q::template CaseOf<F>>;
   template <class F>
   using StatedGap = double (*)(const typename Q::template CaseOf<F>&);
 
   std::string_view name;
-  std::string_view tier;  ///< trivial, naive, certified, exact
+  std::string_view tier;  ///< trivial, naive, certified, exact; plug-in
   Promise promise;
   Twin twin;
   std::string_view domain;
   std::string_view summary;
-  Run<float> run_f32 = nullptr;
-  Run<double> run_f64 = nullptr;
+  RunOf<float> run_f32 = nullptr;
+  RunOf<double> run_f64 = nullptr;
   /// Certified methods only: growing t by this much must change the exact twin's answer wherever it was
   /// wasted.
   StatedGap<float> stated_gap_f32 = nullptr;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "fuzz/generator.h"
+#include "fuzz/method_failure.h"
 #include "fuzz/witness.h"
 #include "scene/line_reader.h"
 
@@ -24,8 +25,20 @@ bool is_broken(Promise promise, Verdict verdict) {
   return verdict == Verdict::unsound || promise == Promise::always_agrees;
 }
 
+/// What a replay was asked for: methods by name, all when there are none; without those that have failed.
+struct Asked {
+  const std::vector<std::string>& names;
+  const Plugins* plugins;
+  std::vector<std::string_view> retired{};
+
+  [[nodiscard]] bool wants(std::string_view name) const {
+    return (names.empty() || std::find(names.begin(), names.end(), name) != names.end()) &&
+           std::find(retired.begin(), retired.end(), name) == retired.end();
+  }
+};
+
 template <class Q>
-void replay_line(const scene::CorpusLine& line, const std::vector<std::string>& names, ReplayResult& result) {
+void replay_line(const scene::CorpusLine& line, Asked& asked, ReplayResult& result) {
   const typename Q::Case c = parse_case<Q>(line);
   const scene::Scalar scalar = is_single(c) ? scene::Scalar::f32 : scene::Scalar::f64;
   const std::string where = line.file + ":" + std::to_string(line.line);
@@ -38,19 +51,25 @@ void replay_line(const scene::CorpusLine& line, const std::vector<std::string>& 
     ++result.stated;
     if (*line.answer != truth) result.wrong_answers.push_back({where, *line.answer, std::string(truth)});
   }
-  for (const Method<Q>& method : methods<Q>()) {
-    if (!names.empty() && std::find(names.begin(), names.end(), method.name) == names.end()) continue;
-    const Trial trial = try_case(method, scalar, c);
-    result.lines.push_back({where, std::string(Q::id), std::string(method.name),
-                            std::string(answer_name(trial.answer)), std::string(name_of(trial.truth)),
-                            std::string(name_of(trial.verdict)), is_broken(method.promise, trial.verdict)});
+  for (const Method<Q>* method : all_methods<Q>(asked.plugins)) {
+    if (!asked.wants(method->name)) continue;
+    try {
+      const Trial trial = try_case(*method, scalar, c);
+      result.lines.push_back({where, std::string(Q::id), std::string(method->name),
+                              std::string(answer_name(trial.answer)), std::string(name_of(trial.truth)),
+                              std::string(name_of(trial.verdict)),
+                              is_broken(method->promise, trial.verdict)});
+    } catch (const MethodFailure& failure) {
+      result.failures.push_back(where + ": " + failure.what());
+      asked.retired.push_back(method->name);
+    }
   }
 }
 
 template <class Q>
-bool has_method(const std::string& name) {
-  return std::any_of(methods<Q>().begin(), methods<Q>().end(),
-                     [&](const Method<Q>& m) { return m.name == name; });
+bool has_method(const std::string& name, const Plugins* plugins) {
+  const std::vector<const Method<Q>*> all = all_methods<Q>(plugins);
+  return std::any_of(all.begin(), all.end(), [&](const Method<Q>* m) { return m->name == name; });
 }
 
 }  // namespace
@@ -59,18 +78,20 @@ bool ReplayResult::promise_broken() const {
   return std::any_of(lines.begin(), lines.end(), [](const ReplayLine& line) { return line.promise_broken; });
 }
 
-ReplayResult replay(const std::vector<scene::CorpusLine>& corpus, const std::vector<std::string>& methods) {
+ReplayResult replay(const std::vector<scene::CorpusLine>& corpus, const std::vector<std::string>& methods,
+                    const Plugins* plugins) {
   for (const std::string& name : methods) {
-    if (!has_method<ShaftBoxQuestion>(name) && !has_method<ShaftBallQuestion>(name)) {
+    if (!has_method<ShaftBoxQuestion>(name, plugins) && !has_method<ShaftBallQuestion>(name, plugins)) {
       throw UsageError("--method: expected a method that `gnomon list` shows, found \"" + name + "\"");
     }
   }
   ReplayResult result;
+  Asked asked{methods, plugins};
   for (const scene::CorpusLine& line : corpus) {
     if (line.question == ShaftBoxQuestion::id) {
-      replay_line<ShaftBoxQuestion>(line, methods, result);
+      replay_line<ShaftBoxQuestion>(line, asked, result);
     } else if (line.question == ShaftBallQuestion::id) {
-      replay_line<ShaftBallQuestion>(line, methods, result);
+      replay_line<ShaftBallQuestion>(line, asked, result);
     } else {
       line.fail("a question (shaft-box, shaft-sphere)", scene::in_quotes(line.question));
     }

@@ -55,6 +55,13 @@ struct RowResult {
   [[nodiscard]] bool promise_broken() const;
 };
 
+/// A method that gave no answers: a plug-in's that crashed, hung or answered nonsense. It is asked no more.
+struct Failure {
+  std::string method, distribution, scalar;
+  std::string line;                ///< method, what happened, on which case
+  std::vector<std::string> cases;  ///< corpus lines: the one case to blame, or a batch
+};
+
 /// One campaign: everything that a result file says, timings apart.
 struct CampaignResult {
   std::string command;
@@ -62,6 +69,8 @@ struct CampaignResult {
   unsigned shard = 1, shards = 1;
   unsigned witnesses_per_row = 1;  ///< how many of each fault were asked for
   std::vector<RowResult> rows;
+  std::vector<Failure> failures;
+  bool complete = true;      ///< false while distributions are left to do
   std::uint64_t trials = 0;  ///< over all rows
   double seconds = 0;        ///< wall time of the trials, shrinking left out
   double core_seconds = 0;   ///< processor time of the trials, over all threads

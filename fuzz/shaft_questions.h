@@ -81,6 +81,7 @@ template <class Reference>
     case Twin::planes:
       return reference.planes;
     case Twin::truth:
+    case Twin::unknown:
       return reference.truth;
   }
   return reference.truth;

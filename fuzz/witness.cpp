@@ -45,7 +45,8 @@ Trial try_case(const Method<Q>& method, scene::Scalar scalar, const typename Q::
 }
 
 template <class Q>
-Witness make_witness(const Method<Q>& method, scene::Scalar scalar, const typename Q::Case& c) {
+Witness make_witness(const Method<Q>& method, scene::Scalar scalar, const typename Q::Case& c,
+                     Shrinking shrinking) {
   const Trial original = try_case(method, scalar, c);
   const Fault fault = Q::fault(original.truth, original.answer);
   const bool by_model = static_cast<Answer>(original.twin) == original.answer;
@@ -57,7 +58,9 @@ Witness make_witness(const Method<Q>& method, scene::Scalar scalar, const typena
            Q::fault(trial.truth, trial.answer) == fault &&
            (static_cast<Answer>(trial.twin) == trial.answer) == by_model;
   };
-  const std::vector<double> numbers = shrink(numbers_of(c), scalar, axis_of_number<Q>, still_fails);
+  const std::vector<double> numbers = shrinking == Shrinking::on
+                                          ? shrink(numbers_of(c), scalar, axis_of_number<Q>, still_fails)
+                                          : numbers_of(c);
   const typename Q::Case small = case_of<typename Q::Case>(numbers);
   const Trial trial = try_case(method, scalar, small);
 
@@ -104,7 +107,9 @@ std::string witness_text(const Witness& witness) {
 
 template Trial try_case(const Method<ShaftBoxQuestion>&, scene::Scalar, const scene::ShaftBoxCase&);
 template Trial try_case(const Method<ShaftBallQuestion>&, scene::Scalar, const scene::ShaftBallCase&);
-template Witness make_witness(const Method<ShaftBoxQuestion>&, scene::Scalar, const scene::ShaftBoxCase&);
-template Witness make_witness(const Method<ShaftBallQuestion>&, scene::Scalar, const scene::ShaftBallCase&);
+template Witness make_witness(const Method<ShaftBoxQuestion>&, scene::Scalar, const scene::ShaftBoxCase&,
+                              Shrinking);
+template Witness make_witness(const Method<ShaftBallQuestion>&, scene::Scalar, const scene::ShaftBallCase&,
+                              Shrinking);
 
 }  // namespace gnomon::fuzz

@@ -22,11 +22,14 @@ struct Trial {
 template <class Q>
 [[nodiscard]] Trial try_case(const Method<Q>& method, scene::Scalar scalar, const typename Q::Case& c);
 
+enum class Shrinking : std::uint8_t { on, off };
+
 /// Shrinks a case on which the method disagrees with the truth, keeping the fault, and whether the exact twin
 /// shares it (model) or not (rounding). Name, distribution, seed and trial are left for the caller to fill
-/// in.
+/// in. Throws MethodFailure when the method fails on the case or on a simpler one.
 template <class Q>
-[[nodiscard]] Witness make_witness(const Method<Q>& method, scene::Scalar scalar, const typename Q::Case& c);
+[[nodiscard]] Witness make_witness(const Method<Q>& method, scene::Scalar scalar, const typename Q::Case& c,
+                                   Shrinking shrinking = Shrinking::on);
 
 /// "shaft-box.naive-f32.false-cull.offset.f32.1.123.txt": safe as a file name.
 [[nodiscard]] std::string witness_name(const Witness& witness);

@@ -40,12 +40,16 @@ std::string header_text(const RowResult& row) {
 
 std::string row_text(const RowResult& row) {
   const std::uint64_t outside = row.truths(0), meeting = row.truths(1) + row.truths(2);
+  // What is rounding and what model is told by a method's exact twin, and a plug-in has none that is known.
+  const auto source = [&row](std::uint64_t count) {
+    return row.tier == "plug-in" ? std::string("-") : std::to_string(count);
+  };
   std::string text =
       fmt::format("  {:<16}{:>12}{:>12}{:>10}{:>12}{:>10}{:>10}{:>10}{:>9}{:>9.1f}", row.method,
                   row.count(Fault::false_cull), row.count(Fault::false_inside), row.count(Verdict::waste),
                   rate_text(row.count(Fault::false_cull), meeting),
-                  rate_text(row.matrix[0][1] + row.matrix[0][2], outside), row.rounding,
-                  row.model + row.rounding_and_model,
+                  rate_text(row.matrix[0][1] + row.matrix[0][2], outside), source(row.rounding),
+                  source(row.model + row.rounding_and_model),
                   row.worst ? fmt::format("{:.1e}", std::abs(row.worst->length)) : "", row.ns_per_case);
   if (row.count(Verdict::undecided) > 0) text += fmt::format("  {} undecided", row.count(Verdict::undecided));
   if (row.count(Verdict::rejected) > 0) text += fmt::format("  {} rejected", row.count(Verdict::rejected));
@@ -54,22 +58,24 @@ std::string row_text(const RowResult& row) {
 }
 
 template <class Q>
-std::string methods_text() {
+std::string methods_text(const fuzz::Plugins* plugins) {
   std::string text = fmt::format("{}\n", Q::id);
-  for (const fuzz::Method<Q>& method : fuzz::methods<Q>()) {
+  for (const fuzz::Method<Q>* row : fuzz::all_methods<Q>(plugins)) {
+    const fuzz::Method<Q>& method = *row;
     const char* const scalars = method.run_f32 == nullptr   ? "f64"
                                 : method.run_f64 == nullptr ? "f32"
                                                             : "f32 f64";
-    text += fmt::format("  {:<16}{:<11}{:<9}{:<16}{}\n", method.name, method.tier, scalars,
+    text += fmt::format("  {:<15} {:<11}{:<9}{:<16}{}\n", method.name, method.tier, scalars,
                         name_of(method.promise), method.summary);
   }
   return text;
 }
 
 template <class Q>
-nlohmann::ordered_json methods_json() {
+nlohmann::ordered_json methods_json(const fuzz::Plugins* plugins) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
-  for (const fuzz::Method<Q>& method : fuzz::methods<Q>()) {
+  for (const fuzz::Method<Q>* row : fuzz::all_methods<Q>(plugins)) {
+    const fuzz::Method<Q>& method = *row;
     nlohmann::ordered_json scalars = nlohmann::ordered_json::array();
     if (method.run_f32 != nullptr) scalars.push_back("f32");
     if (method.run_f64 != nullptr) scalars.push_back("f64");
@@ -106,9 +112,10 @@ std::string campaign_text(const fuzz::CampaignResult& result) {
   return text;
 }
 
-std::string list_text() {
+std::string list_text(const fuzz::Plugins* plugins) {
   std::string text = "Questions and methods (name, tier, scalars, promise, what it is):\n\n";
-  text += methods_text<fuzz::ShaftBoxQuestion>() + "\n" + methods_text<fuzz::ShaftBallQuestion>();
+  text +=
+      methods_text<fuzz::ShaftBoxQuestion>(plugins) + "\n" + methods_text<fuzz::ShaftBallQuestion>(plugins);
   text +=
       "\nDistributions (NAME or NAME:ARG; at least these shares outside/overlap/inside, of boxes and of "
       "balls):\n\n";
@@ -124,10 +131,11 @@ std::string list_text() {
   return text;
 }
 
-std::string list_json() {
+std::string list_json(const fuzz::Plugins* plugins) {
   nlohmann::ordered_json json;
   json["tool"] = version();
-  json["questions"] = {methods_json<fuzz::ShaftBoxQuestion>(), methods_json<fuzz::ShaftBallQuestion>()};
+  json["questions"] = {methods_json<fuzz::ShaftBoxQuestion>(plugins),
+                       methods_json<fuzz::ShaftBallQuestion>(plugins)};
   json["distributions"] = nlohmann::ordered_json::array();
   for (const fuzz::Distribution& distribution : fuzz::distributions()) {
     json["distributions"].push_back({{"name", distribution.name},

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "fuzz/plugin_host.h"
 #include "fuzz/row_result.h"
 
 namespace gnomon::reports {
@@ -12,8 +13,9 @@ namespace gnomon::reports {
 /// time.
 [[nodiscard]] std::string campaign_text(const fuzz::CampaignResult& result);
 
-/// What `gnomon list` prints: questions, methods, distributions, and what was not built in.
-[[nodiscard]] std::string list_text();
-[[nodiscard]] std::string list_json();
+/// What `gnomon list` prints: questions, methods (those of plug-ins too), distributions, and what was not built
+/// in.
+[[nodiscard]] std::string list_text(const fuzz::Plugins* plugins = nullptr);
+[[nodiscard]] std::string list_json(const fuzz::Plugins* plugins = nullptr);
 
 }  // namespace gnomon::reports

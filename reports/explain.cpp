@@ -75,10 +75,10 @@ std::vector<double> numbers_of_line(const scene::CorpusLine& line) {
 
 }  // namespace
 
-std::string explain(const scene::CorpusLine& line) {
+std::string explain(const scene::CorpusLine& line, const fuzz::Plugins* plugins) {
   const std::vector<double> numbers = numbers_of_line(line);
   const std::span<const double> all(numbers);
-  const fuzz::ReplayResult replayed = fuzz::replay({line}, {});  // also refuses what is no case
+  const fuzz::ReplayResult replayed = fuzz::replay({line}, {}, plugins);  // also refuses what is no case
   const bool single = std::all_of(numbers.begin(), numbers.end(), scene::is_float);
 
   std::string text = fmt::format("{}:{}: {} ({})\n", line.file, line.line, line.question,
@@ -98,8 +98,9 @@ std::string explain(const scene::CorpusLine& line) {
   }
   text += "\nThe methods say:\n";
   for (const fuzz::ReplayLine& by : replayed.lines) {
-    text += fmt::format("  {:<16}{:<10}{}\n", by.method, by.answer, by.verdict);
+    text += fmt::format("  {:<15} {:<10}{}\n", by.method, by.answer, by.verdict);
   }
+  for (const std::string& failure : replayed.failures) text += "  " + failure + "\n";
   if (const std::optional<ShaftCase> c = shaft_case(line.question, numbers, single ? "f32" : "f64")) {
     text += "\n" + text_picture(*c);
   }

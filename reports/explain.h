@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "fuzz/plugin_host.h"
 #include "scene/corpus.h"
 
 namespace gnomon::reports {
@@ -11,7 +12,7 @@ namespace gnomon::reports {
 /// The case in words, decimals and hex floats, its exact answer with the gap to both boundaries as rationals,
 /// what each method says of it, and a picture in characters, looked at along the axis that the deciding plane
 /// leaves out. Throws scene::InputError for a line that is no case.
-[[nodiscard]] std::string explain(const scene::CorpusLine& line);
+[[nodiscard]] std::string explain(const scene::CorpusLine& line, const fuzz::Plugins* plugins = nullptr);
 
 /// The same case as a picture (SVG).
 [[nodiscard]] std::string explain_svg(const scene::CorpusLine& line);

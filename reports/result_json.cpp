@@ -92,6 +92,18 @@ Json witness_json(const fuzz::Witness& witness) {
           {"index", witness.trial}};
 }
 
+Json failures_json(const std::vector<fuzz::Failure>& failures) {
+  Json all = Json::array();
+  for (const fuzz::Failure& failure : failures) {
+    all.push_back({{"method", failure.method},
+                   {"distribution", failure.distribution},
+                   {"scalar", failure.scalar},
+                   {"line", failure.line},
+                   {"cases", failure.cases}});
+  }
+  return all;
+}
+
 }  // namespace
 
 std::string result_json(const fuzz::CampaignResult& result) {
@@ -103,6 +115,8 @@ std::string result_json(const fuzz::CampaignResult& result) {
   json["seed"] = result.seed;
   json["shard"] = std::to_string(result.shard) + "/" + std::to_string(result.shards);
   json["witnesses_per_row"] = result.witnesses_per_row;
+  if (!result.complete) json["complete"] = false;
+  if (!result.failures.empty()) json["failures"] = failures_json(result.failures);
   json["rows"] = Json::array();
   json["witnesses"] = Json::array();
   Json times = Json::array();
