@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// gnomon_bench: the speed of the batch kernels next to a plain read of the same memory.
+//
+//   gnomon_bench table [--rounds N] [--boxes] [--balls] [--most COUNT]    paired rounds, medians and ratios,
+//   as text gnomon_bench [--benchmark_...]                                        Google Benchmark on the
+//   same workloads
+#include <benchmark/benchmark.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+
+#include "exact/shaft_ball.h"
+#include "exact/shaft_box.h"
+#include "fast/batch_ball.h"
+#include "fast/batch_box.h"
+#include "fast/certified_shaft.h"
+#include "reports/bench/batch_data.h"
+#include "reports/bench/paired.h"
+
+namespace gnomon::bench {
+
+namespace {
+
+constexpr int kShafts = 8;
+
+/// Reads every cache line's every word: what no kernel can be faster than from memory.
+__attribute__((target_clones("avx512f", "avx2", "default"))) std::uint64_t read_all(const void* data,
+                                                                                    std::size_t bytes) {
+  const auto* words = static_cast<const std::uint64_t*>(data);
+  std::uint64_t sums[32] = {};
+  const std::size_t count = bytes / 8;
+  std::size_t i = 0;
+  for (; i + 32 <= count; i += 32) {
+    for (std::size_t k = 0; k < 32; ++k) sums[k] |= words[i + k];
+  }
+  for (; i < count; ++i) sums[0] |= words[i];
+  std::uint64_t all = 0;
+  for (const std::uint64_t sum : sums) all |= sum;
+  return all;
+}
+
+/// A row of the table: the same items in both precisions, a few shafts, and everybody who works on them.
+struct Row {
+  std::vector<Contender> contenders;
+  std::size_t count = 0;
+  double outside = 0, second_stage = 0, predicate = 0;  ///< shares, from the f32 exact tier
+};
+
+/// The contenders of one precision: `Questions` knows how to classify.
+template <class F, class Items, class Questions>
+void add_contenders(Row& row, std::shared_ptr<const Items> items, const std::vector<Ends>& ends,
+                    const std::string& scalar, bool outside_only) {
+  const std::size_t count = items->view().count;
+  const auto bytes = std::make_shared<std::vector<std::uint8_t>>(count);
+  const auto plane = std::make_shared<std::vector<std::uint64_t>>(fast::words_for(count));
+  const auto questions = std::make_shared<std::vector<Questions>>();
+  for (const Ends& pair : ends) {
+    questions->emplace_back(scene::converted<F>(pair.a), scene::converted<F>(pair.b));
+  }
+  row.contenders.push_back({"read-" + scalar, [items](int) {
+                              for (const auto& array : items->c) {
+                                benchmark::DoNotOptimize(read_all(array.data(), array.size() * sizeof(F)));
+                              }
+                            }});
+  const auto add = [&](const std::string& name, auto classify) {
+    row.contenders.push_back({name + "-" + scalar, [=](int round) {
+                                const Questions& q = (*questions)[static_cast<std::size_t>(round) % kShafts];
+                                if (outside_only) {
+                                  classify(q, items->view(), fast::BitPlanes{plane->data(), nullptr});
+                                } else {
+                                  classify(q, items->view(), std::span<std::uint8_t>(*bytes));
+                                }
+                                benchmark::ClobberMemory();
+                              }});
+  };
+  add("naive", [](const Questions& q, const auto& view, auto out) { q.classify(q.naive, view, out); });
+  add("certified",
+      [](const Questions& q, const auto& view, auto out) { q.classify(q.certified, view, out); });
+  add("exact", [](const Questions& q, const auto& view, auto out) { (void)q.exact(view, out); });
+  if (sizeof(F) == 4) {
+    fast::BatchCounters all;
+    std::size_t outside = 0;
+    for (const Questions& q : *questions) {
+      const fast::BatchCounters counters = q.exact(items->view(), std::span<std::uint8_t>(*bytes));
+      all.second_stage += counters.second_stage;
+      all.predicate_calls += counters.predicate_calls;
+      for (const std::uint8_t byte : *bytes) outside += byte == 0;
+    }
+    const double trials = static_cast<double>(count) * static_cast<double>(ends.size());
+    row.outside = static_cast<double>(outside) / trials;
+    row.second_stage = static_cast<double>(all.second_stage) / trials;
+    row.predicate = static_cast<double>(all.predicate_calls) / trials;
+  }
+}
+
+template <class F>
+struct BoxQuestions {
+  BoxQuestions(const scene::Box<F>& a_box, const scene::Box<F>& b_box)
+      : a(a_box),
+        b(b_box),
+        naive(fast::form_shaft(a, b, fast::Normals::as_formed)),
+        certified(fast::form_certified_box_shaft(a, b)),
+        exact_shaft(a, b) {}
+
+  template <class Out>
+  static void classify(const fast::BatchBoxShaft<F>& shaft, const fast::BoxesSoA<F>& boxes, Out out) {
+    fast::classify_boxes<F>(shaft, boxes, out);
+  }
+  template <class Out>
+  fast::BatchCounters exact(const fast::BoxesSoA<F>& boxes, Out out) const {
+    return fast::classify_boxes_exact<F>(exact_shaft, boxes, out, [this](const scene::Box<F>& t) {
+      return exact::classify(scene::converted<double>(scene::ShaftBoxCaseOf<F>{a, b, t}));
+    });
+  }
+
+  scene::Box<F> a, b;
+  fast::BatchBoxShaft<F> naive, certified;
+  fast::ExactBoxShaft<F> exact_shaft;
+};
+
+Row box_row(Data data, std::size_t count, bool outside_only) {
+  Row row;
+  row.count = count;
+  const std::vector<Ends> ends = make_shafts(data, kShafts);
+  add_contenders<float, Boxes<float>, BoxQuestions<float>>(
+      row, std::make_shared<const Boxes<float>>(make_boxes<float>(data, count)), ends, "f32", outside_only);
+  add_contenders<double, Boxes<double>, BoxQuestions<double>>(
+      row, std::make_shared<const Boxes<double>>(make_boxes<double>(data, count)), ends, "f64", outside_only);
+  return row;
+}
+
+template <class F>
+struct BallQuestions {
+  BallQuestions(const scene::Box<F>& a_box, const scene::Box<F>& b_box)
+      : a(a_box),
+        b(b_box),
+        naive(fast::form_shaft(a, b, fast::Normals::unit)),
+        certified(fast::form_certified_ball_shaft(a, b)),
+        exact_shaft(a, b) {}
+
+  template <class Out>
+  static void classify(const fast::BatchBallShaft<F>& shaft, const fast::BallsSoA<F>& balls, Out out) {
+    fast::classify_balls<F>(shaft, balls, out);
+  }
+  template <class Out>
+  fast::BatchCounters exact(const fast::BallsSoA<F>& balls, Out out) const {
+    return fast::classify_balls_exact<F>(exact_shaft, balls, out, [this](const scene::Ball<F>& t) {
+      return exact::classify(scene::converted<double>(scene::ShaftBallCaseOf<F>{a, b, t}));
+    });
+  }
+
+  scene::Box<F> a, b;
+  fast::BatchBallShaft<F> naive, certified;
+  fast::ExactBallShaft<F> exact_shaft;
+};
+
+Row ball_row(Data data, std::size_t count, bool outside_only) {
+  Row row;
+  row.count = count;
+  const std::vector<Ends> ends = make_shafts(data, kShafts);
+  add_contenders<float, Balls<float>, BallQuestions<float>>(
+      row, std::make_shared<const Balls<float>>(make_balls<float>(data, count)), ends, "f32", outside_only);
+  add_contenders<double, Balls<double>, BallQuestions<double>>(
+      row, std::make_shared<const Balls<double>>(make_balls<double>(data, count)), ends, "f64", outside_only);
+  return row;
+}
+
+void print_row(const std::string& title, const Row& row, int rounds) {
+  // Slices of about 0.1 ms, of which the fastest counts: what else the machine does comes in longer pieces.
+  const int repeats = static_cast<int>(std::max<std::size_t>(1, 100000 / row.count));
+  const int slices = row.count > 1000000 ? 1 : 12;
+  const auto seconds = time_paired(row.contenders, rounds, slices, repeats);
+  std::printf("%s, N = %zu: outside %.3f, second stage %.2g, predicate %.2g\n", title.c_str(), row.count,
+              row.outside, row.second_stage, row.predicate);
+  const std::size_t half = row.contenders.size() / 2;
+  for (std::size_t i = 0; i < seconds.size(); ++i) {
+    const Median taken = median_of(seconds[i]);
+    // The naive row of the same precision, and the read of the same memory.
+    const Median to_naive = ratio_of(seconds[i < half ? 1 : half + 1], seconds[i]);
+    const Median to_naive32 = ratio_of(seconds[1], seconds[i]);
+    const Median to_read = ratio_of(seconds[i < half ? 0 : half], seconds[i]);
+    std::printf("  %-14s %7.0f M/s   of naive %.3f [%.3f, %.3f]   of naive-f32 %.3f   of the read %.3f\n",
+                row.contenders[i].name.c_str(), static_cast<double>(row.count) / taken.value * 1e-6,
+                to_naive.value, to_naive.low, to_naive.high, to_naive32.value, to_read.value);
+  }
+  std::fflush(stdout);
+}
+
+constexpr std::size_t kInL1 = 1000, kInL2 = 40000, kInMemory = 10000000;
+constexpr Data kAllData[] = {Data::random6, Data::random8, Data::ties, Data::dense_ties};
+
+struct TableOptions {
+  int rounds = 31;
+  bool boxes = true, balls = true;
+  std::size_t most = kInMemory;
+};
+
+int print_table(const TableOptions& options) {
+  std::printf(
+      "batch kernels on %s, %d paired rounds; \"of\" is a ratio of speeds, [95 %% interval of the median]\n",
+      fast::batch_instruction_set(), options.rounds);
+  for (const std::size_t count : {kInL1, kInL2, kInMemory}) {
+    if (count > options.most) continue;
+    for (const Data data : kAllData) {
+      if (options.boxes) {
+        print_row("boxes, three-way, " + name_of(data), box_row(data, count, false), options.rounds);
+        if (count == kInL1) {
+          print_row("boxes, outside only, " + name_of(data), box_row(data, count, true), options.rounds);
+        }
+      }
+      if (options.balls) {
+        print_row("balls, three-way, " + name_of(data), ball_row(data, count, false), options.rounds);
+      }
+    }
+  }
+  return 0;
+}
+
+void register_row(const std::string& items, Data data, const Row& row) {
+  for (const Contender& contender : row.contenders) {
+    const std::string name =
+        items + "/" + name_of(data) + "/" + std::to_string(row.count) + "/" + contender.name;
+    benchmark::RegisterBenchmark(name.c_str(), [contender, count = row.count](benchmark::State& state) {
+      int round = 0;
+      for (auto _ : state) contender.run(round++);
+      state.SetItemsProcessed(static_cast<std::int64_t>(count) * state.iterations());
+    });
+  }
+}
+
+void register_all() {
+  for (const std::size_t count : {kInL1, kInL2}) {
+    for (const Data data : kAllData) {
+      register_row("boxes", data, box_row(data, count, false));
+      register_row("balls", data, ball_row(data, count, false));
+    }
+  }
+}
+
+int usage() {
+  std::fprintf(stderr, "usage: gnomon_bench table [--rounds N] [--boxes] [--balls] [--most COUNT]\n");
+  return 2;
+}
+
+}  // namespace
+
+int run(int argc, char** argv) {
+  if (argc < 2 || std::strcmp(argv[1], "table") != 0) {
+    register_all();
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return usage();
+    benchmark::RunSpecifiedBenchmarks();
+    return 0;
+  }
+  TableOptions options;
+  bool chosen = false;
+  for (int i = 2; i < argc; ++i) {
+    const std::string option = argv[i];
+    const auto choose = [&](bool& which) {
+      if (!chosen) options.boxes = options.balls = false;
+      chosen = which = true;
+    };
+    if (option == "--boxes") {
+      choose(options.boxes);
+    } else if (option == "--balls") {
+      choose(options.balls);
+    } else if (i + 1 < argc && option == "--rounds") {
+      options.rounds = std::atoi(argv[++i]);
+    } else if (i + 1 < argc && option == "--most") {
+      options.most = static_cast<std::size_t>(std::atoll(argv[++i]));
+    } else {
+      return usage();
+    }
+  }
+  if (options.rounds < 1) return usage();
+  return print_table(options);
+}
+
+}  // namespace gnomon::bench
+
+int main(int argc, char** argv) {
+  return gnomon::bench::run(argc, argv);
+}
