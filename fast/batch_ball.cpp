@@ -57,7 +57,7 @@ struct BallKernel {
     for (std::size_t offset = 0; offset < 64; offset += kSideBySide * lanes) {
       const std::size_t at = first + offset;
       V radius[kSideBySide], sum[kSideBySide];
-      M beyond_plane[kSideBySide];
+      M before_planes[kSideBySide];
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const V lo = hn::Set(d, shaft.extent.c[axis]), hi = hn::Set(d, shaft.extent.c[axis + 3]);
         for (std::size_t j = 0; j < kSideBySide; ++j) {
@@ -68,7 +68,7 @@ struct BallKernel {
       }
       for (std::size_t j = 0; j < kSideBySide; ++j) {
         radius[j] = hn::LoadU(d, c[3] + at + j * lanes);
-        beyond_plane[j] = hn::FirstN(d, 0);
+        before_planes[j] = hn::FirstN(d, lanes);
       }
       for (std::size_t i = 0; i < shaft.plane_count; ++i) {
         const auto& plane = shaft.planes[i];
@@ -77,15 +77,15 @@ struct BallKernel {
         const V threshold = hn::Set(d, plane.outside_threshold);
         for (std::size_t j = 0; j < kSideBySide; ++j) {
           const V v = value(plane, x + j * lanes, y + j * lanes);
-          beyond_plane[j] = hn::Or(beyond_plane[j], hn::Gt(v, hn::Add(radius[j], threshold)));
+          before_planes[j] = and_not_gt(before_planes[j], v, hn::Add(radius[j], threshold));
         }
       }
       const V factor = hn::Set(d, shaft.slack.square_factor), add = hn::Set(d, shaft.slack.square_offset);
       const V largest = hn::Set(d, shaft.slack.largest_radius);
       for (std::size_t j = 0; j < kSideBySide; ++j) {
         const V bound = hn::Add(hn::Mul(hn::Mul(radius[j], radius[j]), factor), add);
-        const M outside = hn::Or(hn::Gt(sum[j], bound), hn::And(beyond_plane[j], hn::Le(radius[j], largest)));
-        const M kept = hn::Not(outside);
+        const M near_planes = hn::Or(before_planes[j], hn::Not(hn::Le(radius[j], largest)));
+        const M kept = and_not_gt(near_planes, sum[j], bound);
         answers.kept |= bits_of(d, kept) << (offset + j * lanes);
         if (kThreeWay && !hn::AllFalse(d, kept)) {
           answers.inside |= inside(c, at + j * lanes, kept) << (offset + j * lanes);

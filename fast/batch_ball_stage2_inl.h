@@ -42,6 +42,7 @@ class BallStage2 {
     MDouble open = hn::Not(hn::Or(meets, distance.outside));
     if (!hn::AllFalse(d_, open)) {
       meets = hn::Or(meets, meets_exactly(distance.s));
+      if (!hn::AllFalse(d_, hn::AndNot(meets, open))) meets = hn::Or(meets, meets_at_rational(distance.s));
       open = hn::AndNot(meets, open);
     }
     BatchWord answers;
@@ -167,6 +168,56 @@ class BallStage2 {
     const TwoDoubles square = two_product(radius_, radius_);
     exact = hn::And(exact, hn::And(hn::Eq(square.low, zero), in_range_or_zero(radius_)));
     return hn::And(exact, hn::Le(sum, square.high));
+  }
+
+  /// The distance at a rational s is at most r, everything computed without error: ties with edges and
+  /// planes. Let K be the sides that are not surely behind the centre near s. The sum over K of (p_k + q_k
+  /// s)^2 bounds d^2 from above at every s where the others are behind; its least value is pp - pq^2 / qq, at
+  /// -pq / qq, so (pp - r^2) qq <= pq^2 proves d <= r if that s is in [0, 1] and has the others behind (its
+  /// rounding: another u |q_k|).
+  HWY_INLINE MDouble meets_at_rational(VDouble s) const {
+    const VDouble zero = hn::Zero(d_);
+    TwoDoubles pp{zero, zero}, pq = pp, qq = pp;
+    MDouble exact = hn::Eq(zero, zero), in_k[6];
+    const auto add = [&](TwoDoubles& sum, MDouble where, VDouble a, VDouble b) {
+      const TwoDoubles product = two_product(hn::IfThenElseZero(where, a), b);
+      sum = two_sum(sum.high, product.high);
+      exact = hn::And(exact, hn::And(hn::Eq(product.low, zero), hn::Eq(sum.low, zero)));
+    };
+    const auto surely_behind = [&](std::size_t face, VDouble at) {
+      const VDouble p = from_a_[face].high, q = constant(shaft_.runs[face].q);
+      const VDouble size = hn::Add(hn::Abs(p), hn::Abs(q));
+      return hn::Lt(hn::Add(p, hn::Mul(q, at)), hn::Mul(size, constant(-8 * Rounding<double>::u)));
+    };
+    const auto fourth_power_fits = [&](VDouble x) {
+      const VDouble size = hn::Abs(x);
+      const MDouble fits = hn::And(hn::Ge(size, constant(0x1p-200)), hn::Le(size, constant(0x1p200)));
+      return hn::Or(fits, hn::Eq(size, zero));
+    };
+    for (std::size_t face = 0; face < 6; ++face) {
+      const VDouble p = from_a_[face].high, q = constant(shaft_.runs[face].q);
+      in_k[face] = hn::Not(surely_behind(face, s));
+      add(pp, in_k[face], p, p);
+      add(pq, in_k[face], p, q);
+      add(qq, in_k[face], q, q);
+      MDouble known =
+          hn::And(hn::Eq(from_a_[face].low, zero), hn::And(fourth_power_fits(p), fourth_power_fits(q)));
+      if (!shaft_.runs[face].is_exact) known = no_lanes(d_);
+      exact = hn::And(exact, hn::Or(known, hn::Not(in_k[face])));
+    }
+    const VDouble minus_pq = hn::Neg(pq.high);
+    const VDouble least = hn::Div(minus_pq, qq.high);
+    for (std::size_t face = 0; face < 6; ++face) {
+      exact = hn::And(exact, hn::Or(in_k[face], surely_behind(face, least)));
+    }
+    exact = hn::And(exact, hn::And(hn::Ge(minus_pq, zero), hn::Le(minus_pq, qq.high)));
+    exact = hn::And(exact, hn::And(hn::Gt(qq.high, zero), fourth_power_fits(radius_)));
+    const TwoDoubles square = two_product(radius_, radius_);
+    const TwoDoubles rest = two_difference(pp.high, square.high);
+    exact = hn::And(exact, hn::And(hn::Eq(square.low, zero), hn::Eq(rest.low, zero)));
+    const TwoDoubles left = two_product(rest.high, qq.high), right = two_product(pq.high, pq.high);
+    const MDouble tie = hn::And(hn::Eq(left.high, right.high), hn::Le(left.low, right.low));
+    return hn::And(exact, hn::Or(hn::Lt(left.high, right.high), tie));
   }
 
   /// The centre within the extent box; exact.

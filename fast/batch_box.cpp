@@ -65,9 +65,8 @@ struct BoxKernel {
         const V extent_lo = hn::Set(d, shaft.extent.c[axis]),
                 extent_hi = hn::Set(d, shaft.extent.c[axis + 3]);
         for (std::size_t j = 0; j < kSideBySide; ++j) {
-          const M lo = hn::Le(hn::LoadU(d, c[axis] + at + j * lanes), extent_hi);
-          const M hi = hn::Ge(hn::LoadU(d, c[axis + 3] + at + j * lanes), extent_lo);
-          kept[j] = hn::And(kept[j], hn::And(lo, hi));
+          kept[j] = and_le(kept[j], hn::LoadU(d, c[axis] + at + j * lanes), extent_hi);
+          kept[j] = and_le(kept[j], extent_lo, hn::LoadU(d, c[axis + 3] + at + j * lanes));
         }
       }
       for (std::size_t i = 0; i < shaft.plane_count; ++i) {
@@ -77,7 +76,7 @@ struct BoxKernel {
         const V threshold = hn::Set(d, plane.outside_threshold);
         for (std::size_t j = 0; j < kSideBySide; ++j) {
           const V v = value(plane, x + j * lanes, y + j * lanes);
-          kept[j] = hn::AndNot(hn::Gt(v, threshold), kept[j]);  // a NaN keeps
+          kept[j] = and_not_gt(kept[j], v, threshold);  // a NaN keeps
         }
       }
       for (std::size_t j = 0; j < kSideBySide; ++j) {

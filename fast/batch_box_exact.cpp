@@ -106,9 +106,8 @@ struct ExactBoxKernel {
         const V extent_lo = hn::Set(d, shaft.extent.c[axis]),
                 extent_hi = hn::Set(d, shaft.extent.c[axis + 3]);
         for (std::size_t j = 0; j < kSideBySide; ++j) {
-          const M lo = hn::Le(hn::LoadU(d, c[axis] + at + j * lanes), extent_hi);
-          const M hi = hn::Ge(hn::LoadU(d, c[axis + 3] + at + j * lanes), extent_lo);
-          kept[j] = hn::And(kept[j], hn::And(lo, hi));
+          kept[j] = and_le(kept[j], hn::LoadU(d, c[axis] + at + j * lanes), extent_hi);
+          kept[j] = and_le(kept[j], extent_lo, hn::LoadU(d, c[axis + 3] + at + j * lanes));
         }
       }
       for (std::size_t i = 0; i < shaft.from_count; ++i) {
@@ -125,7 +124,7 @@ struct ExactBoxKernel {
       }
       for (std::size_t j = 0; j < kSideBySide; ++j) {
         const V apart = hn::Sub(from[j], to[j]);
-        kept[j] = hn::AndNot(hn::Gt(apart, hn::Set(d, margin)), kept[j]);
+        kept[j] = and_not_gt(kept[j], apart, hn::Set(d, margin));
         const M open = hn::AndNot(hn::Lt(apart, hn::Set(d, -margin)), kept[j]);
         const std::size_t shift = offset + j * lanes;
         answers.kept |= bits_of(d, kept[j]) << shift;

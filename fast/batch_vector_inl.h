@@ -29,6 +29,33 @@ inline constexpr std::size_t kSideBySide = 4;
 inline constexpr std::size_t kSideBySide = 2;
 #endif
 
+/// mask and a <= b; mask and not a > b (which a NaN passes). AVX-512 compares under a mask: no operation of
+/// its own for the `and`, on a port that the arithmetic needs.
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+HWY_INLINE hn::Mask512<float> and_le(hn::Mask512<float> mask, hn::Vec512<float> a, hn::Vec512<float> b) {
+  return {_mm512_mask_cmp_ps_mask(mask.raw, a.raw, b.raw, _CMP_LE_OQ)};
+}
+HWY_INLINE hn::Mask512<double> and_le(hn::Mask512<double> mask, hn::Vec512<double> a, hn::Vec512<double> b) {
+  return {_mm512_mask_cmp_pd_mask(mask.raw, a.raw, b.raw, _CMP_LE_OQ)};
+}
+HWY_INLINE hn::Mask512<float> and_not_gt(hn::Mask512<float> mask, hn::Vec512<float> a, hn::Vec512<float> b) {
+  return {_mm512_mask_cmp_ps_mask(mask.raw, a.raw, b.raw, _CMP_NGT_UQ)};
+}
+HWY_INLINE hn::Mask512<double> and_not_gt(hn::Mask512<double> mask, hn::Vec512<double> a,
+                                          hn::Vec512<double> b) {
+  return {_mm512_mask_cmp_pd_mask(mask.raw, a.raw, b.raw, _CMP_NGT_UQ)};
+}
+#else
+template <class M, class V>
+HWY_INLINE M and_le(M mask, V a, V b) {
+  return hn::And(mask, hn::Le(a, b));
+}
+template <class M, class V>
+HWY_INLINE M and_not_gt(M mask, V a, V b) {
+  return hn::AndNot(hn::Gt(a, b), mask);
+}
+#endif
+
 template <class D>
 HWY_INLINE std::uint64_t bits_of(D d, hn::Mask<D> mask) {
   // Read back no more than was written: a wider load would wait for the store to reach the cache.
