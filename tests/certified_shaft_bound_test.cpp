@@ -86,6 +86,8 @@ TYPED_TEST(CertifiedShaftBound, BallThresholdsAreTheDerivedOnes) {
       }
       ++planes;
       const ExactPlane<F> exact(shaft, plane);
+      const F a0 = a.c[plane.far0], a1 = a.c[plane.far1];  // the edge that D is taken from
+      EXPECT_EQ(plane.d, -(plane.n0 * a0 + plane.n1 * a1)) << text_of(a) << text_of(b);
       const mpq_class m0 = abs(rational(plane.n0)), m1 = abs(rational(plane.n1));
       const mpq_class p = m0 * exact.most0 + m1 * exact.most1, d = m0 * abs(exact.a0) + m1 * abs(exact.a1);
       const mpq_class across = m0 * abs(exact.b0 - exact.a0) + m1 * abs(exact.b1 - exact.a1);
@@ -121,17 +123,17 @@ TYPED_TEST(CertifiedShaftBound, BoxErrorsOfHardCasesAreWithinTheThreshold) {
   CaseGenerator<F> generator(52, kHardNumbers);
   int compared = 0;
   for (int i = 0; i < affordable(12000) && !this->HasFailure(); ++i) {
-    const auto [a, b, t] = hard_box_case(generator);
-    const Shaft<F> shaft = fast::form_certified_box_shaft(a, b);
+    const scene::ShaftBoxCaseOf<F> c = hard_box_case(generator);
+    const Shaft<F> shaft = fast::form_certified_box_shaft(c.a, c.b);
     for (const ShaftPlane<F>& plane : shaft.planes()) {
       if (std::isinf(plane.outside_threshold)) continue;
       for (const auto& [i0, i1] : {std::pair{plane.far0, plane.far1},
                                    std::pair{fast::opposite(plane.far0), fast::opposite(plane.far1)}}) {
         const auto kept = [&](fast::Face face) {
-          return std::clamp(t.c[face], shaft.extent.c[face % 3u], shaft.extent.c[face % 3u + 3]);
+          return std::clamp(c.t.c[face], shaft.extent.c[face % 3u], shaft.extent.c[face % 3u + 3]);
         };
         const double share = share_of_threshold(Aim::error, shaft, plane, kept(i0), kept(i1));
-        EXPECT_LE(share, 1) << text_of(scene::ShaftBoxCaseOf<F>{a, b, t});
+        EXPECT_LE(share, 1) << text_of(c);
         largest = std::max(largest, share);
         ++compared;
       }

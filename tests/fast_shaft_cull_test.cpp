@@ -127,6 +127,19 @@ TEST(FastShaftCull, FalsePositiveOfTheSphereTest) {
   EXPECT_EQ(exact::refer_in_rationals(c).planes, Category::overlap);
 }
 
+/// From without, at the foot (20, 15) on the plane of normal (3, 4), well within the extent box: v > 0
+/// decides.
+TEST(FastShaftCull, BallTouchingAPlaneFromOutsideIsNotInside) {
+  const Box<float> a{{-10, -10, 0, 40, 0, 20}}, b{{-10, -10, 0, 0, 30, 20}};
+  const Ball<float> t{{23, 19, 10}, 5};
+  EXPECT_EQ(fast::classify_by_slabs(fast::form_shaft(a, b, Normals::as_formed), t), Category::overlap);
+  const exact::ShaftBallReference r =
+      exact::refer_in_rationals(as_double(scene::ShaftBallCaseOf<float>{a, b, t}));
+  EXPECT_EQ(r.truth, Category::overlap);
+  EXPECT_TRUE(r.touches_outside);
+  EXPECT_FALSE(r.touches_inside);
+}
+
 /// Touching at a plane, where floats can be exact: a plane made by hand, x/2 + y/2 <= 1, as if of unit
 /// length.
 TEST(FastShaftCull, BallsTouchingAPlaneMeetAndAreWithin) {
