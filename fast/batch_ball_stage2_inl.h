@@ -35,9 +35,10 @@ class BallStage2 {
   template <bool kThreeWay>
   HWY_INLINE BatchWord resolve() const {
     const std::uint64_t all = (std::uint64_t{1} << hn::Lanes(d_)) - 1;
-    const Distance distance = judge_distance();
     const Signs signs = plane_signs();
     const MDouble centre_in = hn::And(signs.known, hn::AndNot(signs.positive, within_extent()));
+    Distance distance{centre_in, no_lanes(d_), hn::Zero(d_)};
+    if (!hn::AllTrue(d_, centre_in)) distance = judge_distance();
     MDouble meets = hn::Or(distance.meets, centre_in);
     MDouble open = hn::Not(hn::Or(meets, distance.outside));
     if (!hn::AllFalse(d_, open)) {
@@ -274,6 +275,7 @@ class BallStage2 {
       const MDouble tie = hn::And(hn::Eq(gap.high, radius_), hn::Lt(gap.low, zero));
       surely_not = hn::Or(surely_not, hn::Or(hn::Lt(gap.high, radius_), tie));
     }
+    if (hn::AllTrue(d_, surely_not)) return {no_lanes(d_), no_lanes(d_)};
     const MDouble is_point = hn::Eq(radius_, zero);
     MDouble surely = hn::Or(signs.known, hn::Not(is_point));
     for (std::size_t i = 0; i < shaft_.plane_count; ++i) {
