@@ -65,7 +65,8 @@ class ExactBallShaft {
   std::array<Plane, 8> planes;
   std::array<Run, 6> runs;
   std::size_t plane_count = 0;
-  F inner_margin;  ///< below minus this the filters' largest value proves the centre within all planes; NaN: never
+  F inner_margin;  ///< below minus this the filters' largest value proves the centre within all planes; NaN:
+                   ///< never
   BallSlack<F> slack;
   bool has_error_free;
 };
