@@ -38,7 +38,8 @@ struct PluginArguments {
   fuzz::Plugins loaded;
 
   void add_to(CLI::App* verb) {
-    verb->add_option("--plugin", libraries, "a shared library with methods of its own (repeatable)");
+    verb->add_option("--plugin", libraries, "a shared library with methods of its own (repeatable)")
+        ->allow_extra_args(false);
     verb->add_option("--plugin-timeout", seconds, "seconds that a plug-in may take for 1024 cases")
         ->check(CLI::Range(0.001, 86400.0))
         ->capture_default_str();
@@ -307,7 +308,8 @@ int main(int argc, char** argv) {
 
   CLI::App* replay = app.add_subcommand("replay", "Run text corpora or witness files again");
   replay->add_option("files", replay_files, "text corpora or witness files")->required();
-  replay->add_option("--method", replay_methods, "a method (repeatable); all without it");
+  replay->add_option("--method", replay_methods, "a method (repeatable); all without it")
+      ->allow_extra_args(false);
   replay->add_option("--json", replay_json, "result file");
   plugins.add_to(replay);
   replay->footer(

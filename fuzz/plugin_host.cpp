@@ -70,9 +70,9 @@ class PluginRunner : public Runner<typename Q::template CaseOf<F>> {
     }
     std::vector<std::string> all;
     for (const Case& c : cases) all.push_back(text_of(c));
-    throw MethodFailure(name_ + " " + failure + " on a batch of " + std::to_string(cases.size()) +
-                            " cases, on no single one of them; the first is " + all.front(),
-                        std::move(all));
+    const std::string line = name_ + " " + failure + " on a batch of " + std::to_string(cases.size()) +
+                             " cases, on no single one of them; the first is " + all.front();
+    throw MethodFailure(line, std::move(all));
   }
 
   [[nodiscard]] static std::string text_of(const Case& c) {
