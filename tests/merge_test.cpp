@@ -186,6 +186,20 @@ TEST_F(Merge, WeighsTimesByTrials) {
   const OrderedJson measured = OrderedJson::parse(
       merge_results({timed(0, 10, "fast one"), timed(1, 30, "slow one")}).json)["measured"];
   EXPECT_DOUBLE_EQ(measured["ns_per_case"][0]["ns"], (10 * first + 30 * second) / 7000);
+  // Three files: the sum of two has the weight of both.
+  const std::vector<fs::path> three = shards(few_hard_trials(), 3);
+  double sum = 0, expected = 0;
+  std::vector<fs::path> timed_files;
+  for (const double ns : {10.0, 20.0, 60.0}) {
+    const OrderedJson json = json_of(three[timed_files.size()]);
+    const double trials = json["rows"][0]["trials"];
+    timed_files.push_back(changed("three" + std::to_string(timed_files.size()) + ".json", json,
+                                  [&](OrderedJson& j) { j["measured"]["ns_per_case"][0]["ns"] = ns; }));
+    sum += trials;
+    expected += trials * ns;
+  }
+  EXPECT_DOUBLE_EQ(OrderedJson::parse(merge_results(timed_files).json)["measured"]["ns_per_case"][0]["ns"],
+                   expected / sum);
   EXPECT_EQ(measured["seconds"], 5);
   EXPECT_EQ(measured["environment"]["cpu"], "fast one; slow one");
   EXPECT_EQ(measured["environment"]["rounding"], "to nearest");
@@ -208,6 +222,9 @@ TEST_F(Merge, RefusesWhatDoesNotBelongTogether) {
   const fs::path fewer = run("fewer.json", other);
   EXPECT_TRUE(has(refusal({whole, fewer}, fewer), "found no row shaft-box printed-f32 near-touch f32"));
   EXPECT_TRUE(has(refusal({fewer, whole}, fewer), "found no row")) << "whichever comes first";
+  other.seed = 0;
+  const fs::path lower = run("lower.json", other);
+  EXPECT_TRUE(has(refusal({lower, whole}, whole), "expected the 4 rows of the other files, found 10"));
 
   const auto edit = [&](const char* name, const std::function<void(OrderedJson&)>& change) {
     return changed(name, json_of(files[1]), change);
@@ -306,6 +323,7 @@ TEST_F(Merge, CommandLine) {
       gnomon("merge " + broken.string() + " " + path("s2.json").string() + " -o " + broken.string());
   EXPECT_EQ(outcome.status, 1);
   EXPECT_TRUE(has(outcome.error, "trivial on near-touch f32 broke its promise")) << outcome.error;
+  EXPECT_EQ(gnomon("merge " + broken.string() + " " + path("s3.json").string() + " -o " + x).status, 1);
   EXPECT_EQ(json_of(broken)["shard"], "1-2/3");
   EXPECT_TRUE(json_of(broken)["rows"][0]["promise_broken"]);
 }
