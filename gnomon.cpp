@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cstdio>
 #include <iostream>
+#include <optional>
 #include <thread>
 
 #include "fast/fp_environment.h"
@@ -207,8 +208,10 @@ int run_explain(const std::string& file, const std::string& svg, PluginArguments
     throw scene::InputError(file, 0, "expected one case for --svg, found " + std::to_string(corpus.size()));
   }
   const fuzz::Plugins* const loaded = plugins.load();
-  for (const scene::CorpusLine& line : corpus) std::cout << reports::explain(line, loaded) << "\n";
+  std::string text;  // whole or not at all: a later line may be bad
+  for (const scene::CorpusLine& line : corpus) text += reports::explain(line, loaded) + "\n";
   if (!svg.empty()) scene::write_whole_file(svg, reports::explain_svg(corpus.front()));
+  std::cout << text;
   return 0;
 }
 
@@ -235,6 +238,24 @@ CLI::Validator whole_number(std::uint64_t least, std::uint64_t most) {
                    ", found \"" + text + "\"";
           },
           ""};
+}
+
+/// Says of an empty word, as an unset variable in a script makes it, what is missing: it is no absent option.
+void refuse_empty_words(CLI::App& app) {
+  const CLI::Validator not_empty(
+      [](const std::string& text) { return text.empty() ? "expected a value, found \"\"" : std::string(); },
+      "");
+  for (CLI::App* verb : app.get_subcommands({})) {
+    for (CLI::Option* option : verb->get_options()) {
+      if (option->get_expected_max() > 0) option->check(not_empty);
+    }
+  }
+}
+
+/// The first word, when it is neither an option nor a verb.
+std::optional<std::string> unknown_verb(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-' || app.get_subcommand_no_throw(argv[1]) != nullptr) return std::nullopt;
+  return argv[1];
 }
 
 void add_fuzz(CLI::App& app, FuzzArguments& arguments, std::function<int()>& run) {
@@ -336,6 +357,11 @@ int main(int argc, char** argv) {
 
   reports::add_result_verbs(app, run);
 
+  refuse_empty_words(app);
+  if (const std::optional<std::string> word = unknown_verb(app, argc, argv)) {
+    std::cerr << "gnomon: expected a verb, found \"" << *word << "\"; see gnomon --help\n";
+    return kBadInput;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
