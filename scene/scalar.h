@@ -24,15 +24,16 @@ enum class Scalar : std::uint8_t { f32, f64 };
 }
 
 /// The distance from |value| to the next larger number of the format (the ulp of design rules: one for each
-/// binade; that of denormals below the smallest normal number).
+/// binade; that of denormals below the smallest normal number); of the largest one to the next smaller.
 [[nodiscard]] inline double ulp_of(double value, Scalar scalar) {
+  const auto ulp = [](auto magnitude) {
+    using F = decltype(magnitude);
+    const F above = std::nextafter(magnitude, std::numeric_limits<F>::infinity());
+    const F low = std::isinf(above) ? std::nextafter(magnitude, F(0)) : magnitude;
+    return static_cast<double>((std::isinf(above) ? magnitude : above) - low);
+  };
   const double magnitude = std::fabs(value);
-  if (scalar == Scalar::f32) {
-    const float f = static_cast<float>(magnitude);
-    return static_cast<double>(std::nextafter(f, std::numeric_limits<float>::infinity())) -
-           static_cast<double>(f);
-  }
-  return std::nextafter(magnitude, std::numeric_limits<double>::infinity()) - magnitude;
+  return scalar == Scalar::f32 ? ulp(static_cast<float>(magnitude)) : ulp(magnitude);
 }
 
 }  // namespace gnomon::scene
