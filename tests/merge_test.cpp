@@ -171,6 +171,18 @@ TEST_F(Merge, KeepsTheLowerTrialOfEqualGapsAndTheLargerOfOthers) {
   EXPECT_TRUE(has(refusal({with_gap(0, "one", 1), files[1]}, path("gap0.json")), "a rational p/q"));
 }
 
+TEST_F(Merge, KeepsAPromiseBrokenThatAnyFileSawBroken) {
+  std::vector<fs::path> files = shards(few_hard_trials(), 3);
+  EXPECT_TRUE(merge_results(files).broken.empty());
+  for (const fs::path& file : std::vector(files)) {
+    const auto at = std::find(files.begin(), files.end(), file);
+    *at =
+        changed("broken.json", json_of(file), [](OrderedJson& j) { j["rows"][3]["promise_broken"] = true; });
+    EXPECT_EQ(merge_results(files).broken.size(), 1u) << file;
+    *at = file;
+  }
+}
+
 TEST_F(Merge, WeighsTimesByTrials) {
   const std::vector<fs::path> files = shards(few_hard_trials(), 2);
   const auto timed = [&](std::size_t i, double ns, const char* cpu) {
