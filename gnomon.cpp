@@ -254,8 +254,12 @@ void refuse_empty_words(CLI::App& app) {
 
 /// The first word, when it is neither an option nor a verb.
 std::optional<std::string> unknown_verb(const CLI::App& app, int argc, char** argv) {
-  if (argc < 2 || argv[1][0] == '-' || app.get_subcommand_no_throw(argv[1]) != nullptr) return std::nullopt;
-  return argv[1];
+  if (argc < 2 || argv[1][0] == '-') return std::nullopt;
+  const std::string word = argv[1];
+  for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (verb->get_name() == word) return std::nullopt;
+  }
+  return word;
 }
 
 void add_fuzz(CLI::App& app, FuzzArguments& arguments, std::function<int()>& run) {
