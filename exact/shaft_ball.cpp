@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "exact/scaling.h"
 #include "exact/shaft.h"
 #include "exact/slab_ball.h"
 
@@ -200,7 +201,9 @@ std::uint64_t refer(std::span<const ShaftBallCase> cases, std::span<ShaftBallRef
     std::optional<ShaftBallReference> reference = refer_with<FilterKernel>(cases[i]);
     if (!reference) {
       ++in_rationals;
-      reference = refer_with<ExactKernel>(cases[i]);
+      const Scaled<ShaftBallCase> scaled(cases[i]);
+      if (scaled.exponent != 0) reference = refer_with<FilterKernel>(scaled.c);
+      if (!reference) reference = refer_with<ExactKernel>(scaled.c);
     }
     references[i] = *reference;
   }
@@ -233,11 +236,12 @@ std::optional<Category> truth_of(const ShaftBallCase& c) {
 }  // namespace
 
 Category classify(const ShaftBallCase& c) {
+  const Scaled<ShaftBallCase> scaled(c);
   {
     const CGAL::Interval_nt<false>::Protector upward;
-    if (const std::optional<Category> truth = truth_of<FilterKernel>(c)) return *truth;
+    if (const std::optional<Category> truth = truth_of<FilterKernel>(scaled.c)) return *truth;
   }
-  return *truth_of<ExactKernel>(c);
+  return *truth_of<ExactKernel>(scaled.c);
 }
 
 }  // namespace gnomon::exact

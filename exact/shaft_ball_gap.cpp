@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "exact/scaling.h"
 #include "exact/shaft.h"
 #include "exact/shaft_ball.h"
 #include "exact/slab_ball.h"
@@ -101,23 +102,36 @@ std::optional<Category> grown_with(const ShaftBallCase& c, double growth) {
 }  // namespace
 
 Gap gap(const ShaftBallCase& c, Boundary boundary) {
-  if (boundary == Boundary::inside) return Gap(inside_gap<RationalKernel>(c).mpq());
+  const Scaled<ShaftBallCase> scaled(c);
+  const ShaftBallCase& near_one = scaled.c;
   using FT = RationalKernel::FT;
-  const DistanceOverS<FT> distance(c.a, c.b, c.t.centre);
-  return Gap(FT(distance.at(distance.minimiser()) - CGAL::square(FT(c.t.radius))).mpq());
+  FT value;
+  if (boundary == Boundary::inside) {
+    value = inside_gap<RationalKernel>(near_one);
+  } else {
+    const DistanceOverS<FT> distance(near_one.a, near_one.b, near_one.t.centre);
+    value = distance.at(distance.minimiser()) - CGAL::square(FT(near_one.t.radius));
+  }
+  return scaled.gap_of_original(Gap(value.mpq()), 2);
 }
 
 double gap_bound(const ShaftBallCase& c, Boundary boundary) {
-  if (!is_clear_of_overflow(c)) return HUGE_VAL;
+  const Scaled<ShaftBallCase> scaled(c);
+  if (!is_clear_of_overflow(scaled.c)) return HUGE_VAL;
   const CGAL::Interval_nt<false>::Protector upward;
-  return boundary == Boundary::inside ? magnitude_bound(inside_gap<FilterKernel>(c)) : outside_gap_bound(c);
+  const double bound = boundary == Boundary::inside ? magnitude_bound(inside_gap<FilterKernel>(scaled.c))
+                                                    : outside_gap_bound(scaled.c);
+  return scaled.bound_of_original(bound, 2);
 }
 
 Category classify_grown(const ShaftBallCase& c, double growth) {
   if (std::isinf(growth)) return Category::overlap;  // grown without bound, it meets and is not within
-  if (is_clear_of_overflow(c) && growth <= kLargestInIntervals) {
+  const Scaled<ShaftBallCase> scaled(c);
+  const double by = std::ldexp(growth, scaled.exponent);
+  const bool exact = std::isfinite(by) && std::ldexp(by, -scaled.exponent) == growth;
+  if (exact && is_clear_of_overflow(scaled.c) && by <= kLargestInIntervals) {
     const CGAL::Interval_nt<false>::Protector upward;
-    if (const std::optional<Category> grown = grown_with<FilterKernel>(c, growth)) return *grown;
+    if (const std::optional<Category> grown = grown_with<FilterKernel>(scaled.c, by)) return *grown;
   }
   return *grown_with<ExactKernel>(c, growth);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "exact/scaling.h"
 #include "exact/shaft.h"
 #include "exact/slab_box.h"
 
@@ -123,7 +124,9 @@ std::uint64_t refer(std::span<const ShaftBoxCase> cases, std::span<ShaftBoxRefer
     std::optional<ShaftBoxReference> reference = refer_with<FilterKernel>(cases[i]);
     if (!reference) {
       ++in_rationals;
-      reference = refer_with<ExactKernel>(cases[i]);
+      const Scaled<ShaftBoxCase> scaled(cases[i]);
+      if (scaled.exponent != 0) reference = refer_with<FilterKernel>(scaled.c);
+      if (!reference) reference = refer_with<ExactKernel>(scaled.c);
     }
     references[i] = *reference;
   }
@@ -135,21 +138,24 @@ ShaftBoxReference refer_in_rationals(const ShaftBoxCase& c) {
 }
 
 Category classify(const ShaftBoxCase& c) {
+  const Scaled<ShaftBoxCase> scaled(c);
   {
     const CGAL::Interval_nt<false>::Protector upward;
-    if (const std::optional<Category> truth = truth_of<FilterKernel>(c)) return *truth;
+    if (const std::optional<Category> truth = truth_of<FilterKernel>(scaled.c)) return *truth;
   }
-  return *truth_of<ExactKernel>(c);
+  return *truth_of<ExactKernel>(scaled.c);
 }
 
 Gap gap(const ShaftBoxCase& c, Boundary boundary) {
-  return Gap(gap_with<RationalKernel>(c, boundary).mpq());
+  const Scaled<ShaftBoxCase> scaled(c);
+  return scaled.gap_of_original(Gap(gap_with<RationalKernel>(scaled.c, boundary).mpq()), 1);
 }
 
 double gap_bound(const ShaftBoxCase& c, Boundary boundary) {
-  if (!is_clear_of_overflow(c)) return HUGE_VAL;
+  const Scaled<ShaftBoxCase> scaled(c);
+  if (!is_clear_of_overflow(scaled.c)) return HUGE_VAL;
   const CGAL::Interval_nt<false>::Protector upward;
-  return magnitude_bound(gap_with<FilterKernel>(c, boundary));
+  return scaled.bound_of_original(magnitude_bound(gap_with<FilterKernel>(scaled.c, boundary)), 1);
 }
 
 namespace {
@@ -170,9 +176,12 @@ std::optional<Category> grown_with(const ShaftBoxCase& c, double growth) {
 
 Category classify_grown(const ShaftBoxCase& c, double growth) {
   if (std::isinf(growth)) return Category::overlap;  // grown without bound, it meets and is not within
-  if (is_clear_of_overflow(c) && growth <= kLargestInIntervals) {
+  const Scaled<ShaftBoxCase> scaled(c);
+  const double by = std::ldexp(growth, scaled.exponent);
+  const bool exact = std::isfinite(by) && std::ldexp(by, -scaled.exponent) == growth;
+  if (exact && is_clear_of_overflow(scaled.c) && by <= kLargestInIntervals) {
     const CGAL::Interval_nt<false>::Protector upward;
-    if (const std::optional<Category> grown = grown_with<FilterKernel>(c, growth)) return *grown;
+    if (const std::optional<Category> grown = grown_with<FilterKernel>(scaled.c, by)) return *grown;
   }
   return *grown_with<ExactKernel>(c, growth);
 }
