@@ -106,7 +106,7 @@ void work(const Batch<Q>& batch, const Generator<typename Q::Case>& generator, c
   const std::lock_guard lock(shared.mutex);
   for (std::size_t m = 0; m < tallies.size(); ++m) totals.tallies[m].add(tallies[m], keep);
   totals.reference_ns += block.reference_ns();
-  totals.core_ns += thread_ns() - start;
+  totals.core_ns += thread_ns() - start + block.elsewhere_ns();
 }
 
 template <class Q>

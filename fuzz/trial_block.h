@@ -60,11 +60,14 @@ class TrialBlock {
     const double elsewhere = answer(method);
     // Of a method in a process of its own, handing over cases and answers does not count.
     tally.ns += elsewhere > 0 ? elsewhere : thread_ns() - start;
+    elsewhere_ns_ += elsewhere;
     tally.trials += count_;
     for (std::size_t i = 0; i < count_; ++i) judge(method, i, tally);
   }
 
   [[nodiscard]] double reference_ns() const { return reference_ns_; }
+  /// Processor time of methods that run in other processes.
+  [[nodiscard]] double elsewhere_ns() const { return elsewhere_ns_; }
   [[nodiscard]] std::uint64_t in_rationals() const { return in_rationals_; }
 
  private:
@@ -142,7 +145,7 @@ class TrialBlock {
   std::vector<Answer> answers_;
   std::uint64_t first_ = 0;
   std::size_t count_ = 0;
-  double reference_ns_ = 0;
+  double reference_ns_ = 0, elsewhere_ns_ = 0;
   std::uint64_t in_rationals_ = 0;
 };
 
