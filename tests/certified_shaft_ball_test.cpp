@@ -121,7 +121,8 @@ TYPED_TEST(CertifiedShaftBall, NormalsAreShortenedByFiveToFifteenRoundoffs) {
   for (int i = 0; i < affordable(30000) && !this->HasFailure(); ++i) {
     Box<F> a, b;
     generator.boxes(a, b);
-    for (const ShaftPlane<F>& plane : fast::form_certified_ball_shaft(a, b).planes()) {
+    const Shaft<F> shaft = fast::form_certified_ball_shaft(a, b);
+    for (const ShaftPlane<F>& plane : shaft.planes()) {
       if (std::isinf(plane.outside_threshold)) continue;
       ++planes;
       const mpq_class n0(static_cast<double>(plane.n0)), n1(static_cast<double>(plane.n1));

@@ -115,7 +115,8 @@ TYPED_TEST(CertifiedShaft, OverflowingPlanesAreDisarmed) {
   // Well below the largest number nothing is disarmed.
   const Box<F> a{{-root / 64, 0, 0, -root / 128, root / 128, 0}},
       b{{root / 128, 0, 0, root / 64, root / 64, 0}};
-  for (const ShaftPlane<F>& plane : fast::form_certified_box_shaft(a, b).planes()) {
+  const Shaft<F> shaft = fast::form_certified_box_shaft(a, b);
+  for (const ShaftPlane<F>& plane : shaft.planes()) {
     EXPECT_TRUE(std::isfinite(plane.outside_threshold));
   }
 }

@@ -38,7 +38,7 @@ void hold(int successes, Property property) {
   rc::detail::TestParams params = rc::detail::configuration().testParams;
   if (std::getenv("RC_PARAMS") == nullptr) {
     params.seed = 20260101;
-    params.maxSuccess = affordable(successes);
+    params.maxSuccess = kSanitized ? affordable(successes) / 2 : successes;
   }
   const auto* info = testing::UnitTest::GetInstance()->current_test_info();
   rc::detail::TestMetadata metadata;
