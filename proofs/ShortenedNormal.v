@@ -168,6 +168,51 @@ Proof.
   assert (z * L * (1 + u) <= (1 - 7 * u - 13.9 * (u * u)) * (1 + u)) by (apply Rmult_le_compat_r; lra).
   nra.
 Qed.
+
+(** The scale does not underflow: the length is at most 2^(safe + 1). *)
+Lemma code_scale_positive : 0 < code_scale n0 n1.
+Proof.
+  pose proof u_positive as U0; pose proof u_small as U.
+  assert (room : (emin <= - safe_exponent - 2)%Z /\ (0 <= safe_exponent)%Z /\ (emin <= 0)%Z)
+    by (generalize squares_are_safe safe_exponent_positive prec_at_least_24; lia).
+  destruct room as [room1 [room2 room3]].
+  assert (B : forall e v, (emin <= e)%Z -> v <= bpow radix2 e -> fl v <= bpow radix2 e).
+  { intros e v He Hv; rewrite <- (fl_of_float (bpow radix2 e)) by (apply is_float_bpow; exact He).
+    apply fl_le, Hv. }
+  set (s := bpow radix2 safe_exponent) in *; assert (s0 : 0 < s) by apply bpow_gt_0.
+  assert (S2 : bpow radix2 (2 * safe_exponent) = s * s)
+    by (unfold s; rewrite <- bpow_plus; f_equal; lia).
+  assert (S3 : bpow radix2 (2 * safe_exponent + 2) = (2 * s) * (2 * s)).
+  { rewrite bpow_plus, S2; change (bpow radix2 2) with 4; ring. }
+  assert (S4 : bpow radix2 (safe_exponent + 1) = 2 * s)
+    by (rewrite bpow_plus; change (bpow radix2 1) with 2; unfold s; ring).
+  pose proof (Rmax_l (Rabs n0) (Rabs n1)); pose proof (Rmax_r (Rabs n0) (Rabs n1)).
+  assert (E : forall z, Rabs z <= s -> z * z <= s * s).
+  { intros z Hz; rewrite <- (Rabs_pos_eq (z * z)) by nra; rewrite Rabs_mult.
+    apply Rmult_le_compat; auto using Rabs_pos. }
+  assert (Q0 : fl (n0 * n0) <= s * s) by (rewrite <- S2; apply B; [lia|]; rewrite S2; apply E; lra).
+  assert (Q1 : fl (n1 * n1) <= s * s) by (rewrite <- S2; apply B; [lia|]; rewrite S2; apply E; lra).
+  assert (Q : fl (fl (n0 * n0) + fl (n1 * n1)) <= (2 * s) * (2 * s)).
+  { rewrite <- S3; apply B; [lia|]; rewrite S3.
+    assert (0 <= s * s) by (apply Rmult_le_pos; lra); lra. }
+  assert (R : sqrt (fl (fl (n0 * n0) + fl (n1 * n1))) <= 2 * s).
+  { rewrite <- (sqrt_Rsqr (2 * s)) by lra; apply sqrt_le_1_alt; exact Q. }
+  assert (LE : code_length n0 n1 <= 2 * s) by (unfold code_length; rewrite <- S4; apply B; [lia|]; rewrite S4; exact R).
+  pose proof code_length_at_least as LA; pose proof L_positive as L0.
+  assert (l0 : 0 < code_length n0 n1).
+  { eapply Rlt_le_trans; [|exact LA]; apply Rmult_lt_0_compat; lra. }
+  unfold code_scale, ball_shortening, scaling_error.
+  apply Rlt_le_trans with (bpow radix2 (- safe_exponent - 2)); [apply bpow_gt_0|].
+  rewrite <- (fl_of_float (bpow radix2 (- safe_exponent - 2))) by (apply is_float_bpow; lia); apply fl_le.
+  apply Rmult_le_reg_r with (code_length n0 n1); [exact l0|].
+  replace ((1 - (5 + 4) * u) / code_length n0 n1 * code_length n0 n1) with (1 - 9 * u) by (field; lra).
+  assert (I : bpow radix2 (- safe_exponent - 2) * (2 * s) = / 2).
+  { unfold s; replace (2 * bpow radix2 safe_exponent) with (bpow radix2 (safe_exponent + 1)) by exact S4.
+    rewrite <- bpow_plus; replace (- safe_exponent - 2 + (safe_exponent + 1))%Z with (-1)%Z by lia; reflexivity. }
+  apply Rle_trans with (bpow radix2 (- safe_exponent - 2) * (2 * s)).
+  - apply Rmult_le_compat_l; [apply bpow_ge_0|exact LE].
+  - rewrite I; lra.
+Qed.
 End Lengths.
 
 Theorem shorten_is_short N0 N1 e0 e1 k n0 n1 :
@@ -175,7 +220,7 @@ Theorem shorten_is_short N0 N1 e0 e1 k n0 n1 :
   let m0 := code_m n0 n1 n0 in let m1 := code_m n0 n1 n1 in
   (forall q0 q1 r, 0 <= r -> q0 * q0 + q1 * q1 <= r * r ->
      Rabs m0 * Rabs q0 + Rabs m1 * Rabs q1 <= (1 - ball_shortening * u) * r) /\
-  exists c d0 d1 t0 t1, 0 <= c /\ Rabs d0 <= 2.0000001 * u /\ Rabs d1 <= 2.0000001 * u /\
+  exists c d0 d1 t0 t1, 0 < c /\ Rabs d0 <= 2.0000001 * u /\ Rabs d1 <= 2.0000001 * u /\
     Rabs t0 <= 2.1 * eta /\ Rabs t1 <= 2.1 * eta /\
     m0 = c * N0 * (1 + d0) + t0 /\ m1 = c * N1 * (1 + d1) + t1 /\
     (forall q0 q1 r, 0 <= r -> q0 * q0 + q1 * q1 <= r * r ->
@@ -230,7 +275,7 @@ Proof.
           by (apply Rmult_le_compat; try lra; apply Rmult_le_pos; auto using Rabs_pos).
         lra. }
     repeat split.
-    + apply Rmult_le_pos; lra.
+    + apply Rmult_lt_0_compat; [apply code_scale_positive; exact safe|exact k0].
     + apply factor2; auto.
     + apply factor2; auto.
     + apply TT; auto; tauto.
