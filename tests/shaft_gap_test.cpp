@@ -96,6 +96,25 @@ TEST(ShaftGap, ClassifyGrownIsTheAnswerOfTheGrownBox) {
   EXPECT_EQ(exact::classify_grown(generator.box_case(), HUGE_VAL), Category::overlap);
 }
 
+/// Growth of a few ulps around the gap itself, for numbers that are scaled before they are filtered, too.
+TEST(ShaftGap, ClassifyGrownIsRightAroundTheGap) {
+  CaseGenerator<double> generator(15, {Numbers::denormal, Numbers::huge, Numbers::mixed, Numbers::grid});
+  std::array<int, 3> seen{};
+  for (int i = 0; i < affordable(3000); ++i) {
+    const ShaftBoxCase c = generator.box_case();
+    const Boundary boundary = i % 2 == 0 ? Boundary::outside : Boundary::inside;
+    const double at = std::fabs(exact::gap(c, boundary).get_d());
+    for (const double growth : {std::nextafter(at, 0.0), at, std::nextafter(at, HUGE_VAL)}) {
+      if (std::isinf(growth)) continue;
+      const Category grown = refer_grown(c, Gap(growth))->truth;
+      ++seen[static_cast<std::size_t>(grown)];
+      EXPECT_EQ(exact::classify_grown(c, growth), grown) << text_of(c) << " grown by" << hex_text(growth);
+    }
+    EXPECT_GE(exact::gap_bound(c, boundary), at) << text_of(c);
+  }
+  EXPECT_GE(*std::min_element(seen.begin(), seen.end()), affordable(200));
+}
+
 /// The ball's gap from the brute-force hull: the least squared distance, and the signed squares of supports.
 Gap brute_gap(const ShaftBallCase& c, Boundary boundary) {
   const ScaledIntegers n = scaled(c);
@@ -123,7 +142,9 @@ Gap brute_gap(const ShaftBallCase& c, Boundary boundary) {
 }
 
 TEST(ShaftGap, ABallsGapIsASquaredDistance) {
-  CaseGenerator<double> generator(13, kKinds);
+  std::vector<Numbers> kinds = kKinds;
+  kinds.insert(kinds.end(), {Numbers::denormal, Numbers::huge});
+  CaseGenerator<double> generator(13, kinds);
   for (int i = 0; i < affordable(2500); ++i) {
     const ShaftBallCase c = generator.ball_case();
     EXPECT_EQ(exact::gap(c, Boundary::outside), brute_gap(c, Boundary::outside)) << text_of(c);
@@ -152,12 +173,14 @@ TEST(ShaftGap, BoundIsInfiniteOnlyWhereIntervalsOverflow) {
   EXPECT_NEAR(exact::gap_bound(c, Boundary::outside), std::fabs(exact::gap(c, Boundary::outside).get_d()),
               1e-12);
   ShaftBoxCase far = c;
-  far.b.hi(0) = 1e100;
+  far.b.hi(0) = 1e300;
+  far.t.lo(2) = 5e-324;  // with the former beyond what one power of two can bring near 1
   EXPECT_EQ(exact::gap_bound(far, Boundary::outside), HUGE_VAL);
   const ShaftBallCase ball{c.a, c.b, {{1, 4, 0}, 0.25}};
   EXPECT_LE(exact::gap_bound(ball, Boundary::outside), 20);
   ShaftBallCase far_ball = ball;
-  far_ball.b.hi(0) = 1e100;
+  far_ball.b.hi(0) = 1e300;
+  far_ball.t.centre[2] = 5e-324;
   EXPECT_EQ(exact::gap_bound(far_ball, Boundary::outside), HUGE_VAL);
   EXPECT_EQ(exact::gap_bound(far_ball, Boundary::inside), HUGE_VAL);
 }
