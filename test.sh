@@ -18,15 +18,13 @@ cmake --preset release -DGNOMON_TESTS=ON >/dev/null
 cmake --build --preset release
 ctest --preset release -j "$(nproc)"
 
-step "address and undefined-behaviour sanitizers: build and test"
+step "address and undefined-behaviour sanitizers: build (with the fuzz targets) and test"
 cmake --preset asan >/dev/null
 cmake --build --preset asan
 ctest --preset asan -j "$(nproc)"
 
 step "fuzz targets, $fuzz_seconds s each"
-cmake --preset fuzz >/dev/null
-cmake --build --preset fuzz
-fuzz/run_targets.sh "$fuzz_seconds" build/fuzz
+fuzz/run_targets.sh "$fuzz_seconds" build/asan
 
 step "mutants"
 python3 tests/mutants.py --subset
