@@ -212,6 +212,37 @@ TEST(Tallies, AddFieldByField) {
   EXPECT_EQ(sum.largest.trial(), 2000u);
 }
 
+// A beam [0, 5] x [0, 1]^2 and balls whose distances are plain numbers.
+TEST(Gaps, AreToldAsLengths) {
+  const auto length = [](double y, double radius, exact::Boundary boundary) {
+    const scene::ShaftBallCase c{{{0, 0, 0, 1, 1, 1}}, {{4, 0, 0, 5, 1, 1}}, {{2.5, y, 0.5}, radius}};
+    return gap_length(c, exact::gap(c, boundary), boundary);
+  };
+  using B = exact::Boundary;
+  EXPECT_EQ(length(3, 0.5, B::outside), 1.5);
+  EXPECT_EQ(length(3, 2, B::outside), 0);
+  EXPECT_EQ(length(3, 2.25, B::outside), -0.25);
+  EXPECT_EQ(length(0.5, 0.25, B::outside), -0.25);  // the centre lies within: d is 0
+  EXPECT_EQ(length(0.5, 0, B::outside), 0);
+  EXPECT_EQ(length(0.5, 0.375, B::inside), -0.125);
+  EXPECT_EQ(length(0.5, 0.5, B::inside), 0);
+  EXPECT_EQ(length(0.5, 100, B::inside), 99.5);
+  EXPECT_EQ(length(3, 0.5, B::inside), 2.5);                  // two beyond the side and a radius
+  EXPECT_EQ(length(0x1p1000, 0x1p999, B::outside), 0x1p999);  // whose squares no double holds
+  const scene::ShaftBoxCase box{{{0, 0, 0, 1, 1, 1}}, {{4, 0, 0, 5, 1, 1}}, {{2, 1.5, 0, 3, 2, 1}}};
+  EXPECT_EQ(gap_length(box, exact::gap(box, B::outside), B::outside), 0.5);
+}
+
+TEST(Gaps, EveryNumberHasAnUlp) {
+  using scene::Scalar;
+  EXPECT_EQ(scene::ulp_of(-1, Scalar::f32), 0x1p-23);
+  EXPECT_EQ(scene::ulp_of(1, Scalar::f64), 0x1p-52);
+  EXPECT_EQ(scene::ulp_of(0, Scalar::f32), 0x1p-149);
+  EXPECT_EQ(scene::ulp_of(0, Scalar::f64), 0x1p-1074);
+  EXPECT_EQ(scene::ulp_of(0x1.fffffep+127, Scalar::f32), 0x1p104);  // no neighbour above: that below counts
+  EXPECT_EQ(scene::ulp_of(0x1.fffffffffffffp+1023, Scalar::f64), 0x1p971);
+}
+
 TEST(Rates, NoHitsHaveTheClosedFormBound) {
   for (const std::uint64_t n : {1u, 10u, 100u, 1000000u}) {
     const Rate rate = rate_of(0, n);
