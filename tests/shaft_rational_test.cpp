@@ -86,7 +86,7 @@ ClassCounts compare(int count, Make make) {
     EXPECT_EQ(slow.planes, references[i].planes) << text_of(c);
     EXPECT_EQ(slow.printed, references[i].printed) << text_of(c);
     EXPECT_EQ(exact::classify(c), answer.truth) << text_of(c);
-    if (i % 4 == 0) expect_gap_signs(c, answer);
+    if (i % 8 == 0) expect_gap_signs(c, answer);
   }
   return counts;
 }
@@ -158,7 +158,7 @@ TEST(ShaftRational, FloatBalls) {
 TEST(ShaftRational, DenormalAndHugeBoxes) {
   CaseGenerator<double> generator(5, kExtreme);
   const ClassCounts counts =
-      compare<ShaftBoxCase, exact::ShaftBoxReference>(affordable(2000), [&] { return generator.box_case(); });
+      compare<ShaftBoxCase, exact::ShaftBoxReference>(affordable(1200), [&] { return generator.box_case(); });
   counts.record();
   counts.expect_at_least(20);
 }
@@ -166,7 +166,7 @@ TEST(ShaftRational, DenormalAndHugeBoxes) {
 TEST(ShaftRational, DenormalAndHugeBalls) {
   CaseGenerator<double> generator(6, kExtreme);
   const ClassCounts counts = compare<ShaftBallCase, exact::ShaftBallReference>(
-      affordable(2000), [&] { return generator.ball_case(); });
+      affordable(1200), [&] { return generator.ball_case(); });
   counts.record();
   counts.expect_at_least(10);
 }

@@ -23,7 +23,7 @@ const std::vector<Numbers> kKinds{Numbers::coarse, Numbers::coarse, Numbers::gri
 TEST(ShaftPrograms, Boxes) {
   CaseGenerator<double> generator(21, kKinds);
   ClassCounts counts;
-  const int wanted = reference_cases(affordable(1600));
+  const int wanted = reference_cases(affordable(1200));
   for (int i = 0; i < wanted && !HasFailure(); ++i) {
     const ShaftBoxCase c = generator.box_case();
     const ReferenceAnswer answer = refer_by_programs(c);
@@ -41,7 +41,7 @@ TEST(ShaftPrograms, Boxes) {
 TEST(ShaftPrograms, Balls) {
   CaseGenerator<double> generator(22, kKinds);
   ClassCounts counts;
-  const int wanted = reference_cases(affordable(5000)) / (std::getenv("GNOMON_REFERENCE_CASES") ? 5 : 1);
+  const int wanted = reference_cases(affordable(4000)) / (std::getenv("GNOMON_REFERENCE_CASES") ? 5 : 1);
   for (int i = 0; i < wanted && !HasFailure(); ++i) {
     const ShaftBallCase c = generator.ball_case();
     const int sign = distance_sign_by_program(c);
