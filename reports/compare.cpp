@@ -117,7 +117,9 @@ void check_same_cases(const std::filesystem::path& path, const ResultRow& before
 }
 
 void compare_environments(const ResultFile& before, const ResultFile& after, Comparison& comparison) {
-  for (const auto& [name, value] : after.environment) {
+  for (const auto& now : after.environment) {
+    const std::string& name = now.first;  // clang 14 can't capture structured bindings
+    const std::string& value = now.second;
     const auto known = std::find_if(before.environment.begin(), before.environment.end(),
                                     [&](const auto& entry) { return entry.first == name; });
     if (known == before.environment.end() || known->second == value) continue;
