@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # test.sh: installs what is missing, builds, and runs every test: release, sanitizers, fuzz targets, mutants.
-# Debian 12, as root or with sudo. On demand, not here: the presets tsan and coverage, and tests/mutants.py --all.
+# Debian 12, as root or with sudo. On demand, not here, for their compile time: the unit tests under the sanitizers
+# (cmake --build --preset asan && ctest --preset asan), the presets tsan and coverage, and tests/mutants.py --all.
 #   FUZZ_SECONDS=60 ./test.sh      how long each fuzz target runs
 set -euo pipefail
 cd "$(dirname "$0")"
@@ -10,18 +11,21 @@ fuzz_seconds=${FUZZ_SECONDS:-60}
 step() { printf '\n== %s (%d s so far)\n' "$1" "$SECONDS"; }
 
 step "packages"
-cmake/install-packages.sh build dev
-if apt-cache show coq >/dev/null 2>&1 && [ -f proofs/CMakeLists.txt ]; then cmake/install-packages.sh proofs; fi
+cmake/install-packages.sh build dev proofs
 
 step "release: build and test"
 cmake --preset release -DGNOMON_TESTS=ON >/dev/null
 cmake --build --preset release
 ctest --preset release -j "$(nproc)"
 
-step "address and undefined-behaviour sanitizers: build (with the fuzz targets) and test"
+step "address and undefined-behaviour sanitizers: build gnomon and the fuzz targets, run every distribution"
 cmake --preset asan >/dev/null
-cmake --build --preset asan
-ctest --preset asan -j "$(nproc)"
+cmake --build --preset asan --target gnomon fuzz_targets
+for question in shaft-box shaft-sphere; do
+  build/asan/gnomon fuzz "$question" --trials 4000 --out build/asan/campaign | tail -n 1
+done
+build/asan/gnomon replay tests/corpus/shaft.txt >/dev/null
+build/asan/gnomon report build/asan/campaign -o build/asan/campaign/index.html
 
 step "fuzz targets, $fuzz_seconds s each"
 fuzz/run_targets.sh "$fuzz_seconds" build/asan
