@@ -80,7 +80,10 @@ class Canvas {
   }
   [[nodiscard]] static int cell(double x, double lo, double half_width, int count) {
     const double share = (x / 2 - lo / 2) / half_width;
-    return std::clamp(static_cast<int>(share * (count - 1) + 0.5), 0, count - 1);
+    // Balls at the end of the range reach beyond it: infinities and NaN are drawn at an edge.
+    if (!(share > 0)) return 0;
+    if (share >= 1) return count - 1;
+    return static_cast<int>(share * (count - 1) + 0.5);
   }
   [[nodiscard]] Cells cells(double x0, double x1, double y0, double y1) const {
     return {cell(x0, lo_x_, width_, kColumns), cell(x1, lo_x_, width_, kColumns),
