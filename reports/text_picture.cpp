@@ -69,6 +69,10 @@ class Canvas {
 
  private:
   void take(double x, double y) {
+    // A ball's side may lie beyond the largest number.
+    constexpr double kMost = std::numeric_limits<double>::max();
+    x = std::clamp(x, -kMost, kMost);
+    y = std::clamp(y, -kMost, kMost);
     lo_x_ = std::min(lo_x_, x);
     hi_x_ = std::max(hi_x_, x);
     lo_y_ = std::min(lo_y_, y);
