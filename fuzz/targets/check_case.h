@@ -84,7 +84,7 @@ class CaseCheck {
       const exact::Gap& gap = boundary == exact::Boundary::outside ? outside : inside;
       const double bound = exact::gap_bound(case_, boundary), length = gap_length(case_, gap, boundary);
       expect(std::isinf(bound) || exact::Gap(abs(gap)) <= exact::Gap(bound), "the gap exceeds its bound");
-      // Of balls, d = 0 and r = 0 make a gap of no length; below the least double lengths vanish, too.
+      // Lengths below the least double vanish.
       expect(!std::isnan(length) && (gap <= 0 || length >= 0) && (gap >= 0 || length <= 0),
              "the gap's length has another sign");
     }
