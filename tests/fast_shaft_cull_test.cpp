@@ -138,6 +138,7 @@ TEST(FastShaftCull, BallTouchingAPlaneFromOutsideIsNotInside) {
   EXPECT_EQ(r.truth, Category::overlap);
   EXPECT_TRUE(r.touches_outside);
   EXPECT_FALSE(r.touches_inside);
+  EXPECT_EQ(exact::classify_grown(as_double(scene::ShaftBallCaseOf<float>{a, b, t}), 0), Category::overlap);
 }
 
 /// Touching at a plane, where floats can be exact: a plane made by hand, x/2 + y/2 <= 1, as if of unit

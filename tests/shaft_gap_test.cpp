@@ -168,6 +168,23 @@ TEST(ShaftGap, ClassifyGrownBallIsThePlaneTestOfTheGrownBall) {
   EXPECT_GE(*std::min_element(seen.begin(), seen.end()), affordable(500));
 }
 
+/// Points so near a plane that intervals can't tell on which side: the bound has to allow for both.
+TEST(ShaftGap, BoundHoldsForPointsAboutOnAPlane) {
+  Random random(16);
+  int beyond = 0;
+  for (int i = 0; i < affordable(2000); ++i) {
+    const double x = random.unit() + 1e6, y = random.unit() - 1e6, s = random.unit();
+    // The plane of the edges (x + 1, y) and (x, y + 1.1), and a point between them, rounded.
+    const ShaftBallCase c{{{x - 9, y - 9, 0, x + 1, y, 1}},
+                          {{x - 9, y - 9, 0, x, y + 1.1, 1}},
+                          {{(1 - s) * (x + 1) + s * x, (1 - s) * y + s * (y + 1.1), 0.5}, 0}};
+    const Gap gap = exact::gap(c, Boundary::inside);
+    beyond += gap > 0;
+    EXPECT_GE(Gap(exact::gap_bound(c, Boundary::inside)), abs(gap)) << text_of(c);
+  }
+  EXPECT_GE(beyond, affordable(500));
+}
+
 TEST(ShaftGap, BoundIsInfiniteOnlyWhereIntervalsOverflow) {
   const ShaftBoxCase c{{{0, 0, 0, 1, 1, 1}}, {{2, 3, 0, 4, 5, 1}}, {{1, 4, 0, 2, 7, 1}}};
   EXPECT_NEAR(exact::gap_bound(c, Boundary::outside), std::fabs(exact::gap(c, Boundary::outside).get_d()),
