@@ -53,7 +53,7 @@ Sign distance_sign<FilterKernel>(const ShaftBallCase& c) {
     n[axis] = x < lo ? x - lo : x > hi ? x - hi : 0;
     length += n[axis] * n[axis];
   }
-  if (!(length > 0)) return Sign::unknown;
+  if (!(length > 0) || std::isinf(length)) return Sign::unknown;
   FT beyond = -support<FT>(c, n), squared_length(0);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     beyond += FT(n[axis]) * FT(c.t.centre[axis]);
