@@ -52,7 +52,7 @@ TYPED_TEST(CertifiedShaftBall, NeverUnsoundAndWastesWithinTheStatedGap) {
   CaseGenerator<F> generator(61, kHardNumbers);
   std::vector<scene::ShaftBallCaseOf<F>> cases;
   std::vector<scene::ShaftBallCase> wide;
-  for (int i = 0; i < affordable(sizeof(F) == 4 ? 150000 : 70000); ++i) {
+  for (int i = 0; i < (sizeof(F) == 4 ? 150000 : 100000); ++i) {
     cases.push_back(hard_ball_case(generator));
     wide.push_back(as_double(cases.back()));
     if (!scene::is_valid(cases.back().t)) {
