@@ -24,8 +24,14 @@ Json read_json(const std::filesystem::path& path) {
   const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
   if (stream.bad()) throw scene::InputError(name, 0, "expected a readable result file, reading failed");
   if (bytes.empty()) throw scene::InputError(name, 0, "expected a result file, found an empty one");
+  // Values are walked by recursion: nesting without bound would overflow the stack.
+  constexpr int kDeepest = 64;
+  const auto refuse_deep = [&](int depth, Json::parse_event_t, const Json&) {
+    if (depth <= kDeepest) return true;
+    throw scene::InputError(name, 0, fmt::format("expected JSON of at most {} levels, found more", kDeepest));
+  };
   try {
-    return Json::parse(bytes);
+    return Json::parse(bytes, refuse_deep);
   } catch (const Json::parse_error& error) {
     const auto end = bytes.begin() + static_cast<std::ptrdiff_t>(std::min(bytes.size(), error.byte));
     const auto line = static_cast<std::size_t>(std::count(bytes.begin(), end, '\n')) + 1;

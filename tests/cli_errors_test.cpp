@@ -167,6 +167,9 @@ TEST_F(BadInput, ReportsNeedResults) {
   expect_refused({{"report", "file"}, "file: expected a folder of result files"});
   expect_refused({{"report", "folder"}, "folder: expected at least one *.json result file"});
   expect_refused({{"report", "rubbish"}, "r.json:2: expected JSON"});
+  const std::string deep = std::string(200000, '[') + std::string(200000, ']');
+  folder_.write("rubbish/r.json", "{\"schema\": " + deep + "}");
+  expect_refused({{"report", "rubbish"}, "r.json: expected JSON of at most 64 levels"});
 }
 
 }  // namespace
