@@ -12,7 +12,7 @@ namespace gnomon::fuzz {
 
 /// One case of a corpus by one method.
 struct ReplayLine {
-  std::string where;      ///< FILE:LINE
+  std::string where;  ///< FILE:LINE
   std::string question, method, answer, reference, verdict;
   bool promise_broken = false;
 };
@@ -31,10 +31,11 @@ struct ReplayResult {
   [[nodiscard]] bool promise_broken() const;
 };
 
-/// Runs the named methods (all when empty) on every case. Methods of a precision that a case does not fit reject it;
-/// float cases run in the float form. A named method must exist for at least one of the questions in the corpus. Throws scene::InputError for lines that
-/// are no cases, UsageError for methods that no question of the corpus has.
-[[nodiscard]] ReplayResult replay(const std::vector<scene::CorpusLine>& corpus, const std::vector<std::string>& methods,
-                                  const Plugins* plugins = nullptr);
+/// Runs the named methods (all when empty) on every case. Methods of a precision that a case does not fit
+/// reject it; float cases run in the float form. A named method must exist for at least one of the questions
+/// in the corpus. Throws scene::InputError for lines that are no cases, UsageError for methods that no
+/// question of the corpus has.
+[[nodiscard]] ReplayResult replay(const std::vector<scene::CorpusLine>& corpus,
+                                  const std::vector<std::string>& methods, const Plugins* plugins = nullptr);
 
 }  // namespace gnomon::fuzz

@@ -13,8 +13,8 @@ namespace gnomon::reports {
 /// time.
 [[nodiscard]] std::string campaign_text(const fuzz::CampaignResult& result);
 
-/// What `gnomon list` prints: questions, methods (those of plug-ins too), distributions, and what was not built
-/// in.
+/// What `gnomon list` prints: questions, methods (those of plug-ins too), distributions, and what was not
+/// built in.
 [[nodiscard]] std::string list_text(const fuzz::Plugins* plugins = nullptr);
 [[nodiscard]] std::string list_json(const fuzz::Plugins* plugins = nullptr);
 

@@ -7,8 +7,8 @@
 
 namespace gnomon::scene {
 
-/// One instance of `shaft-box`: the box `t` against the convex hull of `a` and `b`. Every finite number of the format
-/// is in the domain.
+/// One instance of `shaft-box`: the box `t` against the convex hull of `a` and `b`. Every finite number of
+/// the format is in the domain.
 template <class F>
 struct ShaftBoxCaseOf {
   Box<F> a, b, t;
@@ -25,7 +25,8 @@ struct ShaftBallCaseOf {
   friend bool operator==(const ShaftBallCaseOf&, const ShaftBallCaseOf&) = default;
 };
 
-/// The form that references, files and witnesses use: a single-precision case is held as the doubles that it is.
+/// The form that references, files and witnesses use: a single-precision case is held as the doubles that it
+/// is.
 using ShaftBoxCase = ShaftBoxCaseOf<double>;
 using ShaftBallCase = ShaftBallCaseOf<double>;
 

@@ -11,8 +11,8 @@
 #ifndef GNOMON_PLUGIN_H
 #define GNOMON_PLUGIN_H
 
-/* Grows when a plug-in has to be compiled again. Fields are only added at the ends of the structs, whose sizes
- * the plug-in states, so that older plug-ins go on working. */
+/* Grows when a plug-in has to be compiled again. Fields are only added at the ends of the structs, whose
+ * sizes the plug-in states, so that older plug-ins go on working. */
 #define GNOMON_PLUGIN_ABI 1u
 
 /* Questions, and the numbers of a case. S is the convex hull of two boxes A and B. All numbers are finite,
@@ -39,21 +39,22 @@ enum gnomon_promise {
   GNOMON_ALWAYS_AGREES = 2  /* never anything but the exact answer */
 };
 
-/* Answers `count` cases: `cases` holds count times 18 (or 16) numbers, one case after the other, aligned as its
- * scalar is; answers[i] is for case i. The cases can't be written to. `user` is the method's. Must leave the
- * floating-point modes (rounding, denormals) as it found them, and must not throw. */
-typedef void gnomon_run_f32(unsigned long long count, const float *cases, unsigned char *answers, void *user);
-typedef void gnomon_run_f64(unsigned long long count, const double *cases, unsigned char *answers, void *user);
+/* Answers `count` cases: `cases` holds count times 18 (or 16) numbers, one case after the other, aligned as
+ * its scalar is; answers[i] is for case i. The cases can't be written to. `user` is the method's. Must leave
+ * the floating-point modes (rounding, denormals) as it found them, and must not throw. */
+typedef void gnomon_run_f32(unsigned long long count, const float* cases, unsigned char* answers, void* user);
+typedef void gnomon_run_f64(unsigned long long count, const double* cases, unsigned char* answers,
+                            void* user);
 
 /* Strings are UTF-8 and end in a zero. Names have 1 to 31 of the characters a-z 0-9 - _. */
 typedef struct gnomon_method {
-  unsigned question;    /* enum gnomon_question */
-  unsigned promise;     /* enum gnomon_promise */
-  const char *name;     /* one of a kind within its question */
-  const char *summary;  /* one line of at most 127 bytes, or null */
-  gnomon_run_f32 *run_f32; /* the method for cases that are floats; null: has no such form */
-  gnomon_run_f64 *run_f64; /* the method for doubles; null: has no such form. One of the two at least. */
-  void *user;           /* handed to every call; may be null */
+  unsigned question;       /* enum gnomon_question */
+  unsigned promise;        /* enum gnomon_promise */
+  const char* name;        /* one of a kind within its question */
+  const char* summary;     /* one line of at most 127 bytes, or null */
+  gnomon_run_f32* run_f32; /* the method for cases that are floats; null: has no such form */
+  gnomon_run_f64* run_f64; /* the method for doubles; null: has no such form. One of the two at least. */
+  void* user;              /* handed to every call; may be null */
 } gnomon_method;
 
 /* The table and all that it points to must live until the process ends. */
@@ -62,8 +63,8 @@ typedef struct gnomon_plugin {
   unsigned size;         /* sizeof(gnomon_plugin) */
   unsigned method_size;  /* sizeof(gnomon_method) */
   unsigned method_count; /* 1 to 64 */
-  const char *name;
-  const gnomon_method *methods;
+  const char* name;
+  const gnomon_method* methods;
 } gnomon_plugin;
 
 #if defined(__GNUC__)
@@ -76,7 +77,7 @@ typedef struct gnomon_plugin {
 #ifdef __cplusplus
 extern "C" {
 #endif
-GNOMON_PLUGIN_EXPORT const gnomon_plugin *gnomon_plugin_entry(void);
+GNOMON_PLUGIN_EXPORT const gnomon_plugin* gnomon_plugin_entry(void);
 #ifdef __cplusplus
 }
 #endif
