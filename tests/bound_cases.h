@@ -43,6 +43,11 @@ class EdgesCase {
     if (random.chance(0.5)) n_[2] = static_cast<F>(n_[0] - std::ldexp(near, -near_exponent));
     if (random.chance(0.7)) put_on_line(random);
   }
+  /// Moves a's corner towards the origin, and the lower corner of the extent box with it.
+  void shrink_a(fuzz::CaseRandom& random) {
+    for (const std::size_t i : {0u, 1u, 6u, 7u}) n_[i] = std::ldexp(n_[i], -random.below(12));
+    put_on_line(random);
+  }
   /// About as small as makes products of two numbers underflow.
   void make_products_underflow(fuzz::CaseRandom& random) {
     constexpr int kHalf = (std::numeric_limits<F>::min_exponent - std::numeric_limits<F>::digits) / 2;
@@ -54,21 +59,27 @@ class EdgesCase {
     x = nearby(random, x);
     if (random.chance(0.3)) put_on_line(random);
   }
+  [[nodiscard]] scene::Box<F> a() const { return box(n_[0], n_[1]); }
+  [[nodiscard]] scene::Box<F> b() const { return box(n_[2], n_[3]); }
+  /// The point's coordinate on the axis of a face.
+  [[nodiscard]] F point(fast::Face face) const {
+    return n_[4 + static_cast<std::size_t>(fast::axis_of(face))];
+  }
+
   void measure(BoundShares& shares) const {
-    scene::Box<F> a{{0, 0, 0, n_[0], n_[1], 0}}, b{{0, 0, 0, n_[2], n_[3], 0}};
-    a.lo(0) = b.lo(0) = std::min({n_[0], n_[2], n_[6]});
-    a.lo(1) = b.lo(1) = std::min({n_[1], n_[3], n_[7]});
-    const fast::Shaft<F> of_box = fast::form_certified_box_shaft(a, b);
-    const fast::Shaft<F> of_ball = fast::form_certified_ball_shaft(a, b);
+    const fast::Shaft<F> of_box = fast::form_certified_box_shaft(a(), b());
+    const fast::Shaft<F> of_ball = fast::form_certified_ball_shaft(a(), b());
     for (std::size_t i = 0; i < of_box.plane_count; ++i) {
-      const bool swapped = fast::axis_of(of_box.plane_set[i].far0) == 1;
-      const F p = swapped ? n_[5] : n_[4], q = swapped ? n_[4] : n_[5];
-      add_box_shares(shares, of_box, of_box.plane_set[i], p, q);
-      add_ball_shares(shares, of_ball, of_ball.plane_set[i], p, q);
+      const fast::ShaftPlane<F>& plane = of_box.plane_set[i];
+      add_box_shares(shares, of_box, plane, point(plane.far0), point(plane.far1));
+      add_ball_shares(shares, of_ball, of_ball.plane_set[i], point(plane.far0), point(plane.far1));
     }
   }
 
  private:
+  [[nodiscard]] scene::Box<F> box(F x, F y) const {
+    return {{std::min({n_[0], n_[2], n_[6]}), std::min({n_[1], n_[3], n_[7]}), 0, x, y, 0}};
+  }
   F& x() { return n_[4]; }
   void put_on_line(fuzz::CaseRandom& random) {
     const double slope = (double(n_[3]) - double(n_[1])) / (double(n_[2]) - double(n_[0]));

@@ -141,11 +141,17 @@ Redundant count_redundant(long largest) {
       // Exchanging a and b changes nothing.
       if (b < a) continue;
       std::vector<HalfSpace> half_spaces;
-      for (const Condition& condition : conditions_of(a, b)) half_spaces.push_back(condition.half_space());
+      const std::vector<Condition> conditions = conditions_of(a, b);
+      for (const Condition& condition : conditions) half_spaces.push_back(condition.half_space());
       bool side = false, plane = false, solid = true;
-      for (std::size_t i = 0; i < half_spaces.size(); ++i) {
-        if (i < 6 ? side : plane) continue;
-        (i < 6 ? side : plane) = is_redundant(half_spaces, i);
+      for (std::size_t i = 0; i < 6 && !side; ++i) side = is_redundant(half_spaces, i);
+      for (std::size_t i = 6; i < half_spaces.size(); ++i) {
+        // As PlaneMinimal.plane_cuts_volume_exactly_when says: both flat, apart, on the axis along the plane.
+        const std::size_t k = 3 - conditions[i].f % 3 - conditions[i].g % 3;
+        const bool flat_apart = a[k] == a[k + 3] && b[k] == b[k + 3] && a[k] != b[k];
+        const bool redundant = is_redundant(half_spaces, i);
+        EXPECT_EQ(redundant, flat_apart);
+        plane |= redundant;
       }
       for (std::size_t i = 0; i < 3; ++i) solid = solid && a[i] < a[i + 3] && b[i] < b[i + 3];
       const std::uint64_t weight = a == b ? 1 : 2;
