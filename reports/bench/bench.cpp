@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // gnomon_bench: the speed of the batch kernels next to a plain read of the same memory.
 //
-//   gnomon_bench table [--rounds N] [--boxes] [--balls] [--most COUNT]    paired rounds, medians and ratios,
-//   as text gnomon_bench [--benchmark_...]                                        Google Benchmark on the
-//   same workloads
+//   gnomon_bench table [--rounds N] [--boxes] [--balls] [--most COUNT]
+//     paired rounds, medians and ratios, as text
+//   gnomon_bench box-and-ball [--rounds N]
+//     the same of the paper's tests, one item at a time
+//   gnomon_bench [--benchmark_...]
+//     Google Benchmark on the workloads of the table
 #include <benchmark/benchmark.h>
 
 #include <cstdio>
@@ -17,6 +20,7 @@
 #include "fast/batch_box.h"
 #include "fast/certified_shaft.h"
 #include "reports/bench/batch_data.h"
+#include "reports/bench/box_and_ball.h"
 #include "reports/bench/paired.h"
 
 namespace gnomon::bench {
@@ -240,13 +244,22 @@ void register_all() {
 }
 
 int usage() {
-  std::fprintf(stderr, "usage: gnomon_bench table [--rounds N] [--boxes] [--balls] [--most COUNT]\n");
+  std::fprintf(stderr,
+               "usage: gnomon_bench table [--rounds N] [--boxes] [--balls] [--most COUNT]\n"
+               "       gnomon_bench box-and-ball [--rounds N]\n");
   return 2;
 }
 
 }  // namespace
 
 int run(int argc, char** argv) {
+  if (argc >= 2 && std::strcmp(argv[1], "box-and-ball") == 0) {
+    const bool asked = argc == 4 && std::strcmp(argv[2], "--rounds") == 0;
+    const int rounds = asked ? std::atoi(argv[3]) : TableOptions{}.rounds;
+    if ((argc != 2 && !asked) || rounds < 1) return usage();
+    print_box_and_ball(rounds);
+    return 0;
+  }
   if (argc < 2 || std::strcmp(argv[1], "table") != 0) {
     register_all();
     benchmark::Initialize(&argc, argv);
