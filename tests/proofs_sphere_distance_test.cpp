@@ -63,6 +63,9 @@ TEST(ProofsSphereDistance, SearchReachesTheRootOfThreeAndNoMore) {
   mpq_class farthest = 0;
   for (std::uint64_t climb = 0; climb < climbs; ++climb) {
     const ShaftBallCase c = farthest_kept_ball(1, climb, 20000);
+    ShaftBallCase smaller = c;
+    smaller.t.radius *= 1 - 0x1p-24;
+    EXPECT_EQ(exact::refer_in_rationals(smaller).planes, Category::outside) << text_of(c);
     if (!kept_though_outside(c)) continue;
     const mpq_class found = squared_radii(c);
     ASSERT_LT(found, 3) << text_of(c);
