@@ -10,7 +10,7 @@
     boxes") is right about planes too: [plane_without_volume_but_needed]. The paper's Figure 4 is about a side of the
     extent box: [side_without_volume_but_needed]. *)
 Require Import Reals Lra Psatz List Bool.
-Require Import Gnomon.Boxes Gnomon.PlaneSet Gnomon.BoxTest.
+Require Import Gnomon.Boxes Gnomon.PlaneSet Gnomon.BoxTest Gnomon.Corners.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -21,9 +21,6 @@ Definition value_of (A B : box) (f g : face) (x : point) : R :=
 (** (p, q) makes a plane of the shaft, and another one than (f, g) does. *)
 Definition other_plane (A B : box) (f g p q : face) : Prop :=
   fst p <> fst q /\ extreme A B p /\ extreme B A q /\ (p, q) <> (f, g).
-
-Definition flip (s : side) : side := match s with MIN => MAX | MAX => MIN end.
-Definition opposite (f : face) : face := (fst f, flip (snd f)).
 
 (** Where the extent box ends on a face, outwards, and the edge of the extent box on two faces. *)
 Definition extent_reach (A B : box) (f : face) : R := Rmax (reach A f) (reach B f).
