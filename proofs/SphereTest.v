@@ -41,7 +41,8 @@ Definition excess (A B : box) (c : point) (i : axis) : R :=
   distance_to_interval (c i) (Rmin (lo A i) (lo B i)) (Rmax (hi A i) (hi B i)).
 
 Lemma excess_reaches A B c i :
-  0 <= excess A B c i /\ Rmin (lo A i) (lo B i) <= c i + excess A B c i /\ c i - excess A B c i <= Rmax (hi A i) (hi B i).
+  0 <= excess A B c i /\
+  Rmin (lo A i) (lo B i) <= c i + excess A B c i /\ c i - excess A B c i <= Rmax (hi A i) (hi B i).
 Proof.
   unfold excess, distance_to_interval.
   pose proof (Rmax_l 0 (Rmax (Rmin (lo A i) (lo B i) - c i) (c i - Rmax (hi A i) (hi B i)))).
@@ -169,7 +170,8 @@ Proof.
     assert (Q : forall i, (x i - c i) ^ 2 <= h i ^ 2).
     { intro i; specialize (I i); simpl in I; specialize (H2 i); nra. }
     assert (T : forall i, h i ^ 2 <= r ^ 2) by
-      (intro i; assert (h i <= r) by (apply Rmax_lub; [apply excess_at_most; [lra|exact E]|lra]); specialize (H2 i); nra).
+      (intro i; assert (h i <= r) by (apply Rmax_lub; [apply excess_at_most; [lra|exact E]|lra]);
+       specialize (H2 i); nra).
     assert (S : (r - d) ^ 2 < r ^ 2) by nra.
     assert (L : forall i, h i ^ 2 = r ^ 2 -> excess A B c i ^ 2 = r ^ 2).
     { intros i Hi; unfold h, Rmax in Hi; destruct Rle_dec; lra. }
