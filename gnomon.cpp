@@ -22,6 +22,7 @@
 #include "reports/explain.h"
 #include "reports/html_report.h"
 #include "reports/replay_json.h"
+#include "reports/verb_claims.h"
 #include "reports/verbs_results.h"
 #include "scene/atomic_file.h"
 #include "scene/input_error.h"
@@ -315,7 +316,8 @@ int main(int argc, char** argv) {
       "  gnomon list\n"
       "  gnomon fuzz shaft-box --trials 1000000 --out results\n"
       "  gnomon explain results/witnesses/shaft-box.naive-f32.false-cull.*.txt\n"
-      "  gnomon report results -o report.html");
+      "  gnomon report results -o report.html\n"
+      "  gnomon claims S2");
 
   std::function<int()> run;
   FuzzArguments fuzz_arguments;
@@ -360,6 +362,7 @@ int main(int argc, char** argv) {
   report->final_callback([&] { run = [&] { return run_report(report_folder, report_out); }; });
 
   reports::add_result_verbs(app, run);
+  reports::add_claims_verb(app, run);
 
   refuse_empty_words(app);
   if (const std::optional<std::string> word = unknown_verb(app, argc, argv)) {

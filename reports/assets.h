@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The report's style sheet, scripts and Vega, embedded into the library when it is built.
+// The report's style sheet, scripts and Vega, and the ledger, embedded into the library when it is built.
 #pragma once
 
 #include <string>
