@@ -7,6 +7,7 @@
 
 #include "reports/assets.h"
 #include "reports/html_sections.h"
+#include "reports/ledger.h"
 #include "reports/result_reader.h"
 #include "scene/atomic_file.h"
 
@@ -40,7 +41,7 @@ std::string page(std::span<const ResultFile> files) {
   out += fmt::format("<style>\n{}</style>\n</head>\n<body>\n<main>\n", asset("report.css"));
   out += verdict_section(files) + plot_section(files) + methods_section(files) + rows_section(files) +
          error_sources_section(files) + mix_section(files) + witness_section(files) +
-         other_results_section(files) + foot_section(files);
+         other_results_section(files) + claims_section(ledger()) + foot_section(files);
   out += "</main>\n" + scripts() + "</body>\n</html>\n";
   return out;
 }

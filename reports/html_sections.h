@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "reports/claim.h"
 #include "reports/result_set.h"
 
 namespace gnomon::reports {
@@ -32,6 +33,9 @@ namespace gnomon::reports {
 
 /// Results of kinds other than "fuzz" as plain tables; empty when there are none.
 [[nodiscard]] std::string other_results_section(std::span<const ResultFile> files);
+
+/// The ledger of the papers' claims with status, counts and how to follow each; empty without claims.
+[[nodiscard]] std::string claims_section(std::span<const Claim> claims);
 
 /// Command lines, seeds, environments and licences.
 [[nodiscard]] std::string foot_section(std::span<const ResultFile> files);
