@@ -3,7 +3,7 @@
 //
 //   gnomon_bench table [--rounds N] [--boxes] [--balls] [--most COUNT]
 //     paired rounds, medians and ratios, as text
-//   gnomon_bench box-and-ball [--rounds N]
+//   gnomon_bench box-and-ball [--rounds N] [--items N]
 //     the same of the paper's tests, one item at a time
 //   gnomon_bench [--benchmark_...]
 //     Google Benchmark on the workloads of the table
@@ -246,20 +246,27 @@ void register_all() {
 int usage() {
   std::fprintf(stderr,
                "usage: gnomon_bench table [--rounds N] [--boxes] [--balls] [--most COUNT]\n"
-               "       gnomon_bench box-and-ball [--rounds N]\n");
+               "       gnomon_bench box-and-ball [--rounds N] [--items N]\n");
   return 2;
+}
+
+int box_and_ball(int argc, char** argv) {
+  BoxAndBallOptions options;
+  for (int i = 2; i < argc; i += 2) {
+    const std::string option = argv[i];
+    const int number = i + 1 < argc ? std::atoi(argv[i + 1]) : 0;
+    if (number < 1 || (option != "--rounds" && option != "--items")) return usage();
+    if (option == "--rounds") options.rounds = number;
+    if (option == "--items") options.items = static_cast<std::size_t>(number);
+  }
+  print_box_and_ball(options);
+  return 0;
 }
 
 }  // namespace
 
 int run(int argc, char** argv) {
-  if (argc >= 2 && std::strcmp(argv[1], "box-and-ball") == 0) {
-    const bool asked = argc == 4 && std::strcmp(argv[2], "--rounds") == 0;
-    const int rounds = asked ? std::atoi(argv[3]) : TableOptions{}.rounds;
-    if ((argc != 2 && !asked) || rounds < 1) return usage();
-    print_box_and_ball(rounds);
-    return 0;
-  }
+  if (argc >= 2 && std::strcmp(argv[1], "box-and-ball") == 0) return box_and_ball(argc, argv);
   if (argc < 2 || std::strcmp(argv[1], "table") != 0) {
     register_all();
     benchmark::Initialize(&argc, argv);

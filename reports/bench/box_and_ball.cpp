@@ -17,8 +17,6 @@ namespace gnomon::bench {
 
 namespace {
 
-// Too many for the branch predictor to learn their answers by heart.
-constexpr std::size_t kItems = 40000;
 constexpr int kShafts = 8;
 
 /// Boxes, and balls with their centres and the mean of their half sides, against a few shafts.
@@ -28,13 +26,13 @@ struct Items {
   std::vector<scene::Box<F>> boxes;
   std::vector<scene::Ball<F>> balls;
 
-  explicit Items(Data data) {
+  Items(Data data, std::size_t count) {
     for (const Ends& ends : make_shafts(data, kShafts)) {
       const auto a = scene::converted<F>(ends.a), b = scene::converted<F>(ends.b);
       of_boxes.push_back(fast::form_shaft(a, b, fast::Normals::as_formed));
       of_balls.push_back(fast::form_shaft(a, b, fast::Normals::unit));
     }
-    for (std::size_t i = 0; i < kItems; ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
       fuzz::CaseRandom random(8, static_cast<std::uint32_t>(data), i);
       const scene::Box<F> box = scene::converted<F>(random_box(random, data, 0.05f));
       scene::Ball<F> ball;
@@ -65,8 +63,8 @@ double run(const std::vector<Shaft>& shafts, const std::vector<Item>& items, int
 }
 
 template <class F>
-void print_rows(Data data, const std::string& scalar, int rounds) {
-  const auto items = std::make_shared<const Items<F>>(data);
+void print_rows(Data data, const std::string& scalar, const BoxAndBallOptions& options) {
+  const auto items = std::make_shared<const Items<F>>(data, options.items);
   const auto whole = [](const auto& shaft, const auto& item) { return fast::classify(shaft, item); };
   const auto printed = [](const auto& shaft, const auto& item) {
     return fast::classify_as_printed(shaft, item);
@@ -89,12 +87,14 @@ void print_rows(Data data, const std::string& scalar, int rounds) {
   }
   std::printf("%s, %s: outside %.3f of the boxes, %.3f of the balls\n", name_of(data).c_str(), scalar.c_str(),
               boxes_outside, balls_outside);
-  const auto seconds = time_paired(contenders, rounds, 6, 1);
+  const auto seconds =
+      time_paired(contenders, options.rounds, 6, static_cast<int>(1 + 20000 / options.items));
+  const double to_nanoseconds = 1e9 / static_cast<double>(options.items);
   for (std::size_t i = 0; i < contenders.size(); i += 2) {
     const Median ratio = ratio_of(seconds[i], seconds[i + 1]);
     std::printf("  %-17s %6.2f ns   %-17s %6.2f ns   box / ball %.3f [%.3f, %.3f]\n",
-                contenders[i].name.c_str(), median_of(seconds[i]).value / kItems * 1e9,
-                contenders[i + 1].name.c_str(), median_of(seconds[i + 1]).value / kItems * 1e9, ratio.value,
+                contenders[i].name.c_str(), median_of(seconds[i]).value * to_nanoseconds,
+                contenders[i + 1].name.c_str(), median_of(seconds[i + 1]).value * to_nanoseconds, ratio.value,
                 ratio.low, ratio.high);
   }
   std::fflush(stdout);
@@ -102,11 +102,12 @@ void print_rows(Data data, const std::string& scalar, int rounds) {
 
 }  // namespace
 
-void print_box_and_ball(int rounds) {
-  std::printf("one item at a time, %d paired rounds; [95 %% interval of the median]\n", rounds);
+void print_box_and_ball(const BoxAndBallOptions& options) {
+  std::printf("one item at a time, %zu items, %d paired rounds; [95 %% interval of the median]\n",
+              options.items, options.rounds);
   for (const Data data : {Data::random6, Data::random8, Data::ties}) {
-    print_rows<float>(data, "f32", rounds);
-    print_rows<double>(data, "f64", rounds);
+    print_rows<float>(data, "f32", options);
+    print_rows<double>(data, "f64", options);
   }
 }
 
