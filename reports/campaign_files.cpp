@@ -10,6 +10,12 @@
 
 namespace gnomon::reports {
 
+CampaignFiles::CampaignFiles(std::string folder, std::string json)
+    : folder_(std::move(folder)), json_(std::move(json)) {
+  if (!folder_.empty()) scene::require_writable(std::filesystem::path(folder_) / "witnesses" / "case");
+  if (!json_.empty()) scene::require_writable(json_);
+}
+
 void CampaignFiles::write(const fuzz::CampaignResult& result, const std::string& question) {
   const std::string json = result_json(result);
   if (!folder_.empty()) {

@@ -13,8 +13,9 @@ namespace gnomon::reports {
 /// this process: old or new, never a part. A result file of a campaign that goes on says `"complete": false`.
 class CampaignFiles {
  public:
-  /// `folder` gets QUESTION-SEED.json, witnesses/ and failures/; `json` a result file. Empty: none.
-  CampaignFiles(std::string folder, std::string json) : folder_(std::move(folder)), json_(std::move(json)) {}
+  /// `folder` gets QUESTION-SEED.json, witnesses/ and failures/; `json` a result file. Empty: none. Throws
+  /// std::runtime_error naming what can't be written.
+  CampaignFiles(std::string folder, std::string json);
 
   /// Writes what is new since the last call: witnesses first, then the result file that names them.
   void write(const fuzz::CampaignResult& result, const std::string& question);

@@ -12,4 +12,8 @@ namespace gnomon::scene {
 /// std::runtime_error naming the path.
 void write_whole_file(const std::filesystem::path& path, std::string_view contents);
 
+/// Throws what write_whole_file(path, ...) would throw, before hours of work whose results can't be kept.
+/// Leaves everything as it is: a file that is there, folders that are missing.
+void require_writable(const std::filesystem::path& path);
+
 }  // namespace gnomon::scene

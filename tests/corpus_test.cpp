@@ -297,7 +297,11 @@ TEST(AtomicFile, FailsWithoutATrace) {
       EXPECT_EQ(std::string(error.what()).rfind(path.string() + ": can't be written: ", 0), 0u)
           << error.what();
     }
+    EXPECT_THROW(require_writable(path), std::runtime_error) << path;
   }
+  EXPECT_THROW(require_writable(folder.path() / "file" / "a" / "b"), std::runtime_error);
+  EXPECT_NO_THROW(require_writable(folder.path() / "file"));
+  EXPECT_NO_THROW(require_writable(folder.path() / "new" / "er" / "file"));
   EXPECT_EQ(folder.entries(), before);
   EXPECT_EQ(contents_of(folder.path() / "file"), "kept");
   EXPECT_EQ(contents_of(folder.path() / "taken" / "x"), "x");
