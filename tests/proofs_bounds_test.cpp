@@ -37,16 +37,23 @@ void measure(BoundShares& shares, const scene::ShaftBoxCaseOf<F>& c) {
       add_box_shares(shares, shaft, plane, coordinate(plane.far0), coordinate(plane.far1));
     }
   }
+  const fast::BallSlack<F> slack = fast::form_certified_ball_shaft(c.a, c.b).slack;
+  for (const scene::Box<F>* box : {&shaft.extent, &shaft.a, &shaft.b}) {
+    add_distance_share(shares, slack, {c.t.c[0], c.t.c[1], c.t.c[2]}, *box);
+  }
 }
 
+/// The centre as it is, and moved into the extent box.
 template <class F>
 void measure(BoundShares& shares, const scene::ShaftBallCaseOf<F>& c) {
   const fast::Shaft<F> shaft = fast::form_certified_ball_shaft(c.a, c.b);
   for (const fast::ShaftPlane<F>& plane : shaft.planes()) {
-    const auto coordinate = [&c](fast::Face far) {
-      return c.t.centre[static_cast<std::size_t>(fast::axis_of(far))];
-    };
-    add_ball_shares(shares, shaft, plane, coordinate(plane.far0), coordinate(plane.far1));
+    const int i = fast::axis_of(plane.far0), j = fast::axis_of(plane.far1);
+    const F x = c.t.centre[static_cast<std::size_t>(i)], y = c.t.centre[static_cast<std::size_t>(j)];
+    add_ball_shares(shares, shaft, plane, x, y);
+    if (in_extent(shaft, plane, x, y)) continue;
+    add_ball_shares(shares, shaft, plane, std::clamp(x, shaft.extent.lo(i), shaft.extent.hi(i)),
+                    std::clamp(y, shaft.extent.lo(j), shaft.extent.hi(j)));
   }
   for (const scene::Box<F>* box : {&shaft.extent, &shaft.a, &shaft.b}) {
     add_distance_share(shares, shaft.slack, c.t.centre, *box);
