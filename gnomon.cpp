@@ -268,7 +268,7 @@ void add_fuzz(CLI::App& app, FuzzArguments& arguments, std::function<int()>& run
   verb->add_option("question", arguments.question, "shaft-box or shaft-sphere")->required();
   verb->add_option("--method", arguments.options.methods, "a method (repeatable); all without it");
   verb->add_option("--distribution", arguments.options.distributions,
-                   "NAME or NAME:ARG (repeatable); all that need no argument without it");
+                   "NAME or NAME:ARG, with @K for K cases a shaft (repeatable); all that need no argument without it");
   verb->add_option("--scalar", arguments.scalar, "f32 or f64 cases for all methods; without it each its own");
   verb->add_option("--trials", arguments.options.trials,
                    "trials a row (question, method, distribution, scalar)")
@@ -295,6 +295,7 @@ void add_fuzz(CLI::App& app, FuzzArguments& arguments, std::function<int()>& run
       "  gnomon fuzz shaft-box\n"
       "  gnomon fuzz shaft-box --method naive-f32 --distribution near-touch --trials 10000000 --out results\n"
       "  gnomon fuzz shaft-sphere --distribution mesh:bunny.off --time 60s --json bunny.json\n"
+      "  gnomon fuzz shaft-box --distribution uniform@64     64 boxes a shaft: what the batch rows are for\n"
       "  gnomon fuzz shaft-box --plugin ./mine.so --distribution grid --out results");
   verb->final_callback([&] { run = [&arguments] { return run_fuzz(arguments); }; });
 }

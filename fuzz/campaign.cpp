@@ -82,7 +82,7 @@ void work(const Batch<Q>& batch, const Generator<typename Q::Case>& generator, c
           Shared& shared, BatchTotals& totals) {
   constexpr std::uint64_t kSize = TrialBlock<Q>::kSize;
   const std::size_t keep = options.witnesses_per_row;
-  TrialBlock<Q> block(options.seed, stream, batch.scalar, keep);
+  TrialBlock<Q> block(options.seed, stream, batch.choice.per_shaft, batch.scalar, keep);
   std::vector<Tally> tallies(batch.methods.size());
   const double start = thread_ns();
   while (!shared.failed.load(std::memory_order_relaxed)) {
@@ -201,7 +201,7 @@ RowResult row_of(const Batch<Q>& batch, const Method<Q>& method, const Tally& ta
   row.threshold_exceeded = tally.threshold_exceeded;
   row.in_domain = batch.choice.distribution->in_every_domain;
   const auto case_of_trial = [&](std::uint64_t trial) {
-    CaseRandom random(options.seed, stream, trial);
+    CaseRandom random(options.seed, stream, trial, batch.choice.per_shaft);
     return generator.make(random);
   };
   if (tally.largest.known()) {

@@ -6,6 +6,7 @@ namespace gnomon::fuzz {
 template <class F>
 Triple<F> offset_triple(CaseRandom& random, double magnitude) {
   Triple<F> c = uniform_triple<F>(random);
+  random.part(Part::shaft);
   for (int axis = 0; axis < 3; ++axis) {
     const F by = random.sign<F>() * static_cast<F>(magnitude);
     for (scene::Box<F>* box : {&c.a, &c.b, &c.t}) {
@@ -13,6 +14,7 @@ Triple<F> offset_triple(CaseRandom& random, double magnitude) {
       box->hi(axis) = by + F(16) * box->hi(axis);
     }
   }
+  random.part(Part::t);
   return c;
 }
 
@@ -25,6 +27,7 @@ Triple<F> grid_triple(CaseRandom& random, int size) {
       set_axis(*box, axis, F(x), F(random.below(size)));
     }
   }
+  random.part(Part::t);
   const bool small = random.chance(0.5);
   for (int axis = 0; axis < 3; ++axis) {
     const int lo = random.below(size), draw = random.below(small ? 2 : size);
@@ -73,6 +76,7 @@ Triple<F> degenerate_triple(CaseRandom& random) {
     }
   }
   for (scene::Box<F>* box : {&c.a, &c.b, &c.t}) {
+    if (box == &c.t) random.part(Part::t);
     for (int axis = 0; axis < 3; ++axis) {
       const F x = pool[axis][random.below(4)];
       const bool flat = random.chance(0.35);
@@ -96,6 +100,7 @@ Triple<F> thin_triple(CaseRandom& random) {
       set_around(*box, axis, centre, thin_half());
     }
   }
+  random.part(Part::t);
   const F kind = random.unit<F>();
   if (kind < F(0.4)) {
     place_near_section<F>(random, c, F(0.9), F(0.5));
@@ -122,6 +127,7 @@ Triple<F> mixed_triple(CaseRandom& random, int from_exponent, int to_exponent) {
       set_axis(*box, axis, x, number());
     }
   }
+  random.part(Part::t);
   if (random.chance(0.4)) {
     place_near_section<F>(random, c, F(0.8), F(0.5));
     for (F& x : c.t.c) {

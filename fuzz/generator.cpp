@@ -11,6 +11,8 @@ namespace gnomon::fuzz {
 
 namespace {
 
+constexpr std::uint64_t kMostPerShaft = 1 << 20;
+
 using scene::Scalar;
 using scene::ShaftBallCase;
 using scene::ShaftBoxCase;
@@ -147,6 +149,7 @@ const std::vector<Distribution>& distributions() {
        {0.01, 0.1, 0.1},
        {0.01, 0.05, 0.1},
        true,
+       false,
        false},
       {"degenerate",
        "",
@@ -184,12 +187,41 @@ const std::vector<Distribution>& distributions() {
 
 std::string DistributionChoice::label() const {
   std::string text(distribution->name);
-  if (argument.empty()) return text;
-  const bool file = distribution->needs_argument;
-  return text + ":" + (file ? std::filesystem::path(argument).filename().string() : argument);
+  if (!argument.empty()) {
+    const bool file = distribution->needs_argument;
+    text += ":" + (file ? std::filesystem::path(argument).filename().string() : argument);
+  }
+  return per_shaft == 1 ? text : text + "@" + std::to_string(per_shaft);
 }
 
-DistributionChoice parse_distribution(const std::string& text) {
+namespace {
+
+struct Parsed {
+  std::string text;
+  std::uint64_t per_shaft = 1;
+};
+
+/// Takes `@K` off the end. In arguments, which may be names of files, an @ that no number follows is a
+/// letter.
+Parsed without_per_shaft(const std::string& whole) {
+  const std::size_t at = whole.rfind('@');
+  if (at == std::string::npos) return {whole};
+  Parsed parsed{whole.substr(0, at)};
+  const char* const end = whole.data() + whole.size();
+  const auto [stop, error] = std::from_chars(whole.data() + at + 1, end, parsed.per_shaft);
+  const bool is_number = error == std::errc{} && stop == end;
+  if (!is_number && whole.find(':') < at) return {whole};
+  if (!is_number || parsed.per_shaft < 1 || parsed.per_shaft > kMostPerShaft) {
+    throw UsageError("--distribution: expected @K, K cases a shaft, 1 to " + std::to_string(kMostPerShaft) +
+                     ", found \"" + whole + "\"");
+  }
+  return parsed;
+}
+
+}  // namespace
+
+DistributionChoice parse_distribution(const std::string& whole) {
+  const auto [text, per_shaft] = without_per_shaft(whole);
   const std::size_t colon = text.find(':');
   const std::string name = text.substr(0, colon);
   std::string known;
@@ -204,7 +236,11 @@ DistributionChoice parse_distribution(const std::string& text) {
       throw UsageError("--distribution " + name + ": expected " + name + ":ARG, " +
                        std::string(distribution.argument));
     }
-    return {&distribution, argument};
+    if (per_shaft > 1 && !distribution.shares_shafts) {
+      throw UsageError("--distribution " + name + ": its shafts depend on t, none can be shared; found \"" +
+                       whole + "\"");
+    }
+    return {&distribution, argument, per_shaft};
   }
   throw UsageError("--distribution: expected one of " + known + ", found \"" + name + "\"");
 }

@@ -33,7 +33,8 @@ struct TruthMix {
   double outside, overlap, inside;
 };
 
-/// One row of the table of distributions. `NAME` or `NAME:ARG` on the command line.
+/// One row of the table of distributions. `NAME` or `NAME:ARG` on the command line; with `@K`, each shaft is
+/// asked about K boxes or balls, so that trials are no longer independent (intervals take them as if).
 struct Distribution {
   std::string_view name;
   std::string_view argument;     ///< what ARG is, empty when there is none
@@ -42,6 +43,7 @@ struct Distribution {
   TruthMix least_mix_sphere;     ///< of shaft-sphere
   bool in_every_domain;  ///< false: methods may reject its cases or waste without bound (over-, underflow)
   bool needs_argument;
+  bool shares_shafts = true;  ///< false: a and b depend on t, so that `@K` makes no sense
 };
 
 /// All distributions, in the order of reports.
@@ -51,9 +53,10 @@ struct Distribution {
 struct DistributionChoice {
   const Distribution* distribution;
   std::string argument;
+  std::uint64_t per_shaft = 1;  ///< so many consecutive trials share their shaft: `@K`
 
-  /// "name" or "name:argument"; of a file argument the name without folders, so that results do not depend on
-  /// where a file lies.
+  /// "name", "name:argument", each with "@K" where shafts are shared; of a file argument the name without
+  /// folders, so that results do not depend on where a file lies.
   [[nodiscard]] std::string label() const;
 };
 
@@ -63,7 +66,7 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Parses "NAME" or "NAME:ARG". Throws UsageError naming the known ones.
+/// Parses "NAME", "NAME:ARG", "NAME@K" or "NAME:ARG@K". Throws UsageError naming the known ones.
 [[nodiscard]] DistributionChoice parse_distribution(const std::string& text);
 
 /// Throws UsageError for a bad argument, scene::InputError for a bad mesh file.

@@ -69,6 +69,7 @@ class MeshGenerator final : public Generator<Case> {
     const int depth = random.integer(1, levels_);
     const std::size_t a = picker_.at_depth(random, depth);
     const std::size_t b = picker_.at_depth(random, random.integer(std::max(1, depth - 2), depth));
+    random.part(Part::t);
     std::size_t t = 0;
     const int deep = random.integer(0, levels_), kind = random.below(10);
     if (kind < 3) {

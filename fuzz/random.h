@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <string_view>
+#include <utility>
 
 namespace gnomon::fuzz {
 
@@ -19,22 +20,37 @@ namespace gnomon::fuzz {
   return hash;
 }
 
+/// The parts of a case that are drawn apart when several cases share a shaft.
+enum class Part : std::uint8_t { shaft, t };
+
 /// The random numbers of one trial, from Philox 4x32-10 (Salmon et al., SC 2011; Random123) with the seed as
 /// key and (trial, stream, block) as counter. Bits become floats by our own code: the standard's
 /// distributions differ between libraries.
 class CaseRandom {
  public:
-  CaseRandom(std::uint64_t seed, std::uint32_t stream, std::uint64_t trial)
+  /// With `per_shaft` above 1, the trials k per_shaft .. (k+1) per_shaft - 1 draw the same numbers for
+  /// Part::shaft, and each its own for Part::t.
+  CaseRandom(std::uint64_t seed, std::uint32_t stream, std::uint64_t trial, std::uint64_t per_shaft = 1)
       : key_{{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)}},
-        counter_{{static_cast<std::uint32_t>(trial), static_cast<std::uint32_t>(trial >> 32), stream, 0}} {}
+        now_(stream, trial - trial % per_shaft, 0),
+        other_(stream, trial, 1u << 31),
+        shares_(per_shaft > 1) {}
+
+  /// Says what the next numbers are for; a case begins with its shaft. Where each trial has a shaft of its
+  /// own, all numbers are one sequence and this does nothing.
+  void part(Part part) {
+    if (!shares_ || part == part_) return;
+    std::swap(now_, other_);
+    part_ = part;
+  }
 
   [[nodiscard]] std::uint32_t bits() {
-    if (used_ == 4) {
-      block_ = r123::Philox4x32()(counter_, key_);
-      ++counter_.v[3];
-      used_ = 0;
+    if (now_.used == 4) {
+      now_.block = r123::Philox4x32()(now_.counter, key_);
+      ++now_.counter.v[3];
+      now_.used = 0;
     }
-    return block_.v[used_++];
+    return now_.block.v[now_.used++];
   }
 
   /// Uniform on the multiples of u in [0, 1): every value is a number of the format, none is rounded to 1.
@@ -66,10 +82,19 @@ class CaseRandom {
   }
 
  private:
+  struct Sequence {
+    Sequence(std::uint32_t stream, std::uint64_t trial, std::uint32_t first_block)
+        : counter{{static_cast<std::uint32_t>(trial), static_cast<std::uint32_t>(trial >> 32), stream,
+                   first_block}} {}
+    r123::Philox4x32::ctr_type counter;
+    r123::Philox4x32::ctr_type block{};
+    unsigned used = 4;
+  };
+
   r123::Philox4x32::key_type key_;
-  r123::Philox4x32::ctr_type counter_;
-  r123::Philox4x32::ctr_type block_{};
-  unsigned used_ = 4;
+  Sequence now_, other_;
+  bool shares_;
+  Part part_ = Part::shaft;
 };
 
 }  // namespace gnomon::fuzz

@@ -4,6 +4,7 @@
 #include "fast/certified_shaft.h"
 #include "fast/shaft_ball.h"
 #include "fast/slab_ball.h"
+#include "fuzz/batch_runs.h"
 #include "fuzz/shaft_questions.h"
 
 namespace gnomon::fuzz {
@@ -14,6 +15,8 @@ using scene::Category;
 template <class F>
 using Cases = std::span<const scene::ShaftBallCaseOf<F>>;
 using Answers = std::span<Answer>;
+
+enum class Tier : std::uint8_t { naive, certified, exact };
 
 Answer to_answer(Category category) {
   return static_cast<Answer>(category);
@@ -71,6 +74,22 @@ void exact_tier(Cases<F> cases, Answers answers) {
   }
 }
 
+template <class F, Tier kTier>
+void batch(Cases<F> cases, Answers answers) {
+  answer_in_runs<BallRun<F>>(
+      cases, answers, [](const auto& a, const auto& b, const fast::BallsSoA<F>& balls, Answers out) {
+        if constexpr (kTier == Tier::naive) {
+          fast::classify_balls<F>(fast::form_shaft(a, b, fast::Normals::unit), balls, out);
+        } else if constexpr (kTier == Tier::certified) {
+          fast::classify_balls<F>(fast::form_certified_ball_shaft(a, b), balls, out);
+        } else {
+          fast::classify_balls_exact<F>({a, b}, balls, out, [&](const scene::Ball<F>& t) {
+            return exact::classify(scene::converted<double>(scene::ShaftBallCaseOf<F>{a, b, t}));
+          });
+        }
+      });
+}
+
 constexpr std::string_view kAllFloats = "all finite floats", kAllDoubles = "all finite doubles";
 
 using Row = Method<ShaftBallQuestion>;
@@ -94,6 +113,16 @@ const Row kRows[] = {
      nullptr, certified<double>, nullptr, stated_gap<double>},
     {"exact", "exact", Promise::always_agrees, Twin::truth, "all finite numbers",
      "certified, what its band leaves open by exact predicate", exact_tier<float>, exact_tier<double>},
+    {"batch-naive-f32", "naive", Promise::none, Twin::planes, kAllFloats,
+     "naive-f32 in vector registers; ask about many balls a shaft, as uniform@64", batch<float, Tier::naive>},
+    {"batch-certified-f32", "certified", Promise::never_unsound, Twin::planes, kAllFloats,
+     "certified-f32 in vector registers", batch<float, Tier::certified>, nullptr, stated_gap<float>},
+    {"batch-certified-f64", "certified", Promise::never_unsound, Twin::planes, kAllDoubles,
+     "certified-f64 in vector registers", nullptr, batch<double, Tier::certified>, nullptr,
+     stated_gap<double>},
+    {"batch-exact", "exact", Promise::always_agrees, Twin::truth, "all finite numbers",
+     "certified, certificates in doubles, exact predicate; the first two in vector registers",
+     batch<float, Tier::exact>, batch<double, Tier::exact>},
 };
 
 }  // namespace

@@ -2,7 +2,8 @@
 // Pieces that the distributions are put together from.
 //
 // A rule for all of them: never two draws in one expression. The order of evaluation is the compiler's
-// choice, and the same seed has to give the same cases everywhere.
+// choice, and the same seed has to give the same cases everywhere. Another: what a and b depend on is drawn
+// as Part::shaft, the rest as Part::t, where each ends.
 #pragma once
 
 #include <algorithm>
@@ -80,6 +81,7 @@ template <class F>
       set_around(*box, axis, centre, random.between<F>(0, F(0.15)));
     }
   }
+  random.part(Part::t);
   const F kind = random.unit<F>();
   if (kind < F(0.25)) {
     place_near_section<F>(random, c, F(0.6), F(0.35));

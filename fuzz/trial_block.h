@@ -28,9 +28,11 @@ class TrialBlock {
   static constexpr std::size_t kSize = 1024;
   using Case = typename Q::Case;
 
-  TrialBlock(std::uint64_t seed, std::uint32_t stream, scene::Scalar scalar, std::size_t keep)
+  TrialBlock(std::uint64_t seed, std::uint32_t stream, std::uint64_t per_shaft, scene::Scalar scalar,
+             std::size_t keep)
       : seed_(seed),
         stream_(stream),
+        per_shaft_(per_shaft),
         scalar_(scalar),
         keep_(keep),
         cases_(kSize),
@@ -43,7 +45,7 @@ class TrialBlock {
     first_ = first;
     count_ = count;
     for (std::size_t i = 0; i < count; ++i) {
-      CaseRandom random(seed_, stream_, first + i);
+      CaseRandom random(seed_, stream_, first + i, per_shaft_);
       cases_[i] = generator.make(random);
     }
     if (scalar_ == scene::Scalar::f32) {
@@ -137,6 +139,7 @@ class TrialBlock {
 
   std::uint64_t seed_;
   std::uint32_t stream_;
+  std::uint64_t per_shaft_;
   scene::Scalar scalar_;
   std::size_t keep_;
   std::vector<Case> cases_;

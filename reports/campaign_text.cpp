@@ -32,7 +32,7 @@ std::string header_text(const RowResult& row) {
   return fmt::format(
       "\n{} {} {}: {} trials, exactly {:.1f} % outside, {:.1f} % overlap, {:.1f} % inside; touching {:.1f} % "
       "outside, "
-      "{:.1f} % inside\n  {:<16}{:>12}{:>12}{:>10}{:>12}{:>10}{:>10}{:>10}{:>9}{:>9}\n",
+      "{:.1f} % inside\n  {:<20}{:>12}{:>12}{:>10}{:>12}{:>10}{:>10}{:>10}{:>9}{:>9}\n",
       row.question, row.distribution, row.scalar, row.trials, share(row.truths(0)), share(row.truths(1)),
       share(row.truths(2)), share(row.touching_outside), share(row.touching_inside), "method", "false culls",
       "false ins.", "waste", "cull rate", "waste rt.", "rounding", "model", "worst", "ns/case");
@@ -45,7 +45,7 @@ std::string row_text(const RowResult& row) {
     return row.tier == "plug-in" ? std::string("-") : std::to_string(count);
   };
   std::string text =
-      fmt::format("  {:<16}{:>12}{:>12}{:>10}{:>12}{:>10}{:>10}{:>10}{:>9}{:>9.1f}", row.method,
+      fmt::format("  {:<20}{:>12}{:>12}{:>10}{:>12}{:>10}{:>10}{:>10}{:>9}{:>9.1f}", row.method,
                   row.count(Fault::false_cull), row.count(Fault::false_inside), row.count(Verdict::waste),
                   rate_text(row.count(Fault::false_cull), meeting),
                   rate_text(row.matrix[0][1] + row.matrix[0][2], outside), source(row.rounding),
@@ -65,7 +65,7 @@ std::string methods_text(const fuzz::Plugins* plugins) {
     const char* const scalars = method.run_f32 == nullptr   ? "f64"
                                 : method.run_f64 == nullptr ? "f32"
                                                             : "f32 f64";
-    text += fmt::format("  {:<15} {:<11}{:<9}{:<16}{}\n", method.name, method.tier, scalars,
+    text += fmt::format("  {:<19} {:<11}{:<9}{:<16}{}\n", method.name, method.tier, scalars,
                         name_of(method.promise), method.summary);
   }
   return text;
@@ -117,8 +117,8 @@ std::string list_text(const fuzz::Plugins* plugins) {
   text +=
       methods_text<fuzz::ShaftBoxQuestion>(plugins) + "\n" + methods_text<fuzz::ShaftBallQuestion>(plugins);
   text +=
-      "\nDistributions (NAME or NAME:ARG; at least these shares outside/overlap/inside, of boxes and of "
-      "balls):\n\n";
+      "\nDistributions (NAME or NAME:ARG, @K for K cases a shaft; at least these shares outside/overlap/inside, of "
+      "boxes and of balls):\n\n";
   for (const fuzz::Distribution& distribution : fuzz::distributions()) {
     const fuzz::TruthMix& box = distribution.least_mix;
     const fuzz::TruthMix& ball = distribution.least_mix_sphere;
@@ -142,6 +142,7 @@ std::string list_json(const fuzz::Plugins* plugins) {
                                      {"argument", distribution.argument},
                                      {"description", distribution.description},
                                      {"in_every_domain", distribution.in_every_domain},
+                                     {"shares_shafts", distribution.shares_shafts},
                                      {"least_mix", mix_json(distribution.least_mix)},
                                      {"least_mix_sphere", mix_json(distribution.least_mix_sphere)}});
   }

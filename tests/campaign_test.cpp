@@ -218,7 +218,7 @@ std::uint64_t expect_promises(const std::string& distribution, std::uint64_t tri
       options.methods.emplace_back(method.name);
     }
   }
-  EXPECT_EQ(options.methods.size(), 3u);
+  EXPECT_EQ(options.methods.size(), 6u);
   options.distributions = {distribution};
   const CampaignResult result = run_campaign<Q>(options);
   EXPECT_FALSE(result.promise_broken());
@@ -260,7 +260,9 @@ TEST_P(PromisesOn, Balls) {
 std::vector<std::string> promise_distributions() {
   std::vector<std::string> names{"offset:1e5", "offset:1e12", "offset:1e30", "integer-grid:1048576"};
   for (const Distribution& distribution : distributions()) {
-    if (!distribution.needs_argument) names.emplace_back(distribution.name);
+    if (distribution.needs_argument) continue;
+    names.emplace_back(distribution.name);
+    if (distribution.shares_shafts) names.push_back(names.back() + "@100");
   }
   return names;
 }

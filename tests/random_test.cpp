@@ -160,6 +160,43 @@ TEST(Random, BetweenStaysWithin) {
   }
 }
 
+TEST(Random, TrialsThatShareAShaftDrawTheSameForItAndTheirOwnForT) {
+  // Two numbers for the shaft, five for t, one more for the shaft, one for t.
+  const auto draws = [](std::uint64_t trial, std::uint64_t per_shaft) {
+    CaseRandom random(5, 6, trial, per_shaft);
+    std::vector<std::uint32_t> shaft, t;
+    for (int i = 0; i < 2; ++i) shaft.push_back(random.bits());
+    random.part(Part::t);
+    for (int i = 0; i < 5; ++i) t.push_back(random.bits());
+    random.part(Part::shaft);
+    shaft.push_back(random.bits());
+    random.part(Part::t);
+    t.push_back(random.bits());
+    return std::pair(shaft, t);
+  };
+  std::set<std::vector<std::uint32_t>> shafts, ts;
+  std::set<std::uint32_t> numbers;
+  for (std::uint64_t trial = 0; trial < 30; ++trial) {
+    const auto [shaft, t] = draws(trial, 10);
+    EXPECT_EQ(shaft, draws(trial - trial % 10, 10).first);
+    EXPECT_EQ(std::pair(shaft, t), draws(trial, 10));
+    if (shafts.insert(shaft).second) numbers.insert(shaft.begin(), shaft.end());
+    ts.insert(t);
+    numbers.insert(t.begin(), t.end());
+  }
+  EXPECT_EQ(shafts.size(), 3u);
+  EXPECT_EQ(ts.size(), 30u);
+  EXPECT_EQ(numbers.size(), 3u * 3 + 30 * 6);  // none is drawn twice
+
+  // Alone, a trial draws one sequence, as ever.
+  const auto [shaft, t] = draws(7, 1);
+  CaseRandom plain(5, 6, 7);
+  for (int i = 0; i < 2; ++i) EXPECT_EQ(plain.bits(), shaft[static_cast<std::size_t>(i)]);
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(plain.bits(), t[static_cast<std::size_t>(i)]);
+  EXPECT_EQ(plain.bits(), shaft[2]);
+  EXPECT_EQ(plain.bits(), t[5]);
+}
+
 // FNV-1a's published values, then the streams that result files of earlier versions stand on.
 TEST(Random, StreamNamesHashToTheirConstants) {
   EXPECT_EQ(stream_of(""), 0x811c9dc5u);
