@@ -138,7 +138,14 @@ Proof.
   - intros [H|[f [g [N [Ef [Eg H]]]]]].
     + apply Rgt_not_le in H; apply H; clear H.
       unfold squared_distance_to_extent, sum_over_axes, distance_to_interval, c, A, B; simpl.
-      unfold Rmin, Rmax; repeat destruct Rle_dec; lra.
+      rewrite !(Rmin_left 0 1), !(Rmax_right 0 1), !(Rmin_left 0 0), !(Rmax_left 0 0) by lra.
+      assert (D : forall a b v, 0 <= v -> a <= v -> b <= v -> 0 <= Rmax 0 (Rmax a b) <= v)
+        by (intros; split; [apply Rmax_l|repeat apply Rmax_lub; lra]).
+      pose proof (D (0 - 1.5) (1.5 - 1) 0.5 ltac:(lra) ltac:(lra) ltac:(lra)) as D0.
+      pose proof (D (0 - 0.75) (0.75 - 1) 0 ltac:(lra) ltac:(lra) ltac:(lra)) as D1.
+      pose proof (D (0 - 0) (0 - 0) 0 ltac:(lra) ltac:(lra) ltac:(lra)) as D2.
+      set (p := Rmax 0 (Rmax (0 - 1.5) (1.5 - 1))) in *; set (q := Rmax 0 (Rmax (0 - 0.75) (0.75 - 1))) in *.
+      set (t := Rmax 0 (Rmax (0 - 0) (0 - 0))) in *; nra.
     + set (p := edge_plane A B f g) in *.
       assert (L : length (normal p) * length (normal p) = 2 /\ dot (normal p) c - offset p <= 0.75).
       { rewrite length_squared; unfold p, extreme in *; destruct f as [[] []], g as [[] []];

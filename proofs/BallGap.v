@@ -98,8 +98,8 @@ Proof.
     assert (V1 : -1 <= v <= 1) by nra.
     assert (V2 : -1.01 * eta <= v * (1 + e) * t <= 1.01 * eta).
     { assert (-1.01 <= v * (1 + e) <= 1.01) by nra; split; nra. }
-    assert (v * v * (1 - 2 * u) <= v * v * ((1 + e) * (1 + e))) by (apply Rmult_le_compat_l; nra).
-    assert (0 <= t * t) by nra; lra. }
+    assert (v * v * (1 - 2 * u) <= v * v * ((1 + e) * (1 + e))) by (apply Rmult_le_compat_l; [apply Rle_0_sqr|clear - He; nra]).
+    pose proof (Rle_0_sqr t) as T2; unfold Rsqr in T2; lra. }
   pose proof (K n0 ltac:(nra)) as K0; pose proof (K n1 ltac:(nra)) as K1.
   assert (E : (s * L) * (s * L) * (1 - 2 * u) - 4.2 * eta <=
               code_m n0 n1 n0 * code_m n0 n1 n0 + code_m n0 n1 n1 * code_m n0 n1 n1).
@@ -107,7 +107,8 @@ Proof.
   eapply Rle_trans; [|exact E].
   assert ((1 - 12.1 * u) * (1 - 12.1 * u) <= s * L * (s * L)) by (apply Rmult_le_compat; lra).
   assert ((1 - 12.1 * u) * (1 - 12.1 * u) * (1 - 2 * u) <= s * L * (s * L) * (1 - 2 * u)) by (apply Rmult_le_compat_r; lra).
-  nra.
+  assert ((1 - 14 * u) * (1 - 14 * u) <= (1 - 12.1 * u) * (1 - 12.1 * u) * (1 - 2 * u) - u * u) by (clear - U0 U; nra).
+  pose proof (Rle_0_sqr u) as UU; unfold Rsqr in UU; lra.
 Qed.
 End Long.
 
@@ -146,7 +147,8 @@ Proof.
     { assert (Es : eta <= 0.001) by (pose proof eta_small; lra).
       assert (0 <= (2.1 * eta - t) * (2.1 * eta + t)) by (apply Rmult_le_pos; lra).
       assert (eta * eta <= 0.001 * eta) by (apply Rmult_le_compat_r; lra); lra. }
-    assert (v * v * ((1 + e) * (1 + e)) <= v * v * (1 + 4.1 * u)) by (apply Rmult_le_compat_l; nra).
+    assert (v * v * ((1 + e) * (1 + e)) <= v * v * (1 + 4.1 * u))
+      by (apply Rmult_le_compat_l; [apply Rle_0_sqr|clear - He U0 U; nra]).
     lra. }
   pose proof (Q 1 0 1 ltac:(lra) ltac:(lra)) as Q0; pose proof (Q 0 1 1 ltac:(lra) ltac:(lra)) as Q1.
   rewrite Rabs_R0, Rabs_R1 in Q0, Q1.
@@ -231,8 +233,10 @@ Proof.
 Qed.
 
 (** StatedGap::base of a plane, as computed, and what is added for balls whose distance underflows. *)
+Definition gap_p : R := 60.
+Definition gap_underflow : R := 4.
 Definition code_base (outside inside p underflow : R) : R :=
-  fl (fl (fl inflate * fl (Rmax outside inside + fl (u * fl (60 * p)))) + fl (4 * underflow)).
+  fl (fl (fl inflate * fl (Rmax outside inside + fl (u * fl (gap_p * p)))) + fl (gap_underflow * underflow)).
 
 Let outside := code_outside m0 m1 a0 a1 b0 b1 x y.
 Let inside := code_inside m0 m1 a0 a1 x y.
@@ -272,7 +276,7 @@ Proof.
   destruct (product_sum_at_least (Rabs m0) x (Rabs m1) y) as [p0 p1]; auto using Rabs_pos; fold P in p1.
   destruct (code_underflow_at_least x y x0 y0 FX FY) as [w0 w1].
   assert (Fm : is_float (Rmax outside inside)) by (unfold Rmax; destruct Rle_dec; apply fl_is_float).
-  unfold base, code_base; set (p := product_sum _ x _ y) in *; set (w := code_underflow x y) in *.
+  unfold base, code_base, gap_p, gap_underflow; set (p := product_sum _ x _ y) in *; set (w := code_underflow x y) in *.
   assert (m0' : 0 <= Rmax outside inside) by (eapply Rle_trans; [exact o0|apply Rmax_l]).
   set (mx := Rmax outside inside) in *.
   assert (q1 : 0 <= 60 * p) by lra; pose proof (fl_at_least _ q1); pose proof (fl_nonneg _ q1) as r1.

@@ -57,12 +57,12 @@ Proof.
   assert (w0 : 0 <= w) by (eapply Rle_trans; [|exact t2]; apply Rmult_le_pos; lra).
   assert (q1 : z * (1 - 3 * u - 3 * (u * u)) <= w / l).
   { apply Rmult_le_reg_r with l; [exact l3|]; replace (w / l * l) with w by (field; lra).
-    assert (c0 : 0 <= 1 - 3 * u - 3 * (u * u)) by nra.
+    assert (c0 : 0 <= 1 - 3 * u - 3 * (u * u)) by (clear - U0 U; nra).
     apply Rle_trans with (z * (1 - 3 * u - 3 * (u * u)) * (L * (1 + u) * (1 + u))).
     - apply Rmult_le_compat_l; [apply Rmult_le_pos; assumption|exact l2].
     - replace (z * (1 - 3 * u - 3 * (u * u)) * (L * (1 + u) * (1 + u))) with
         (z * L * ((1 - 3 * u - 3 * (u * u)) * ((1 + u) * (1 + u)))) by ring; rewrite zL.
-      eapply Rle_trans; [|exact t2]; apply Rmult_le_compat_l; [lra|nra]. }
+      eapply Rle_trans; [|exact t2]; apply Rmult_le_compat_l; [lra|clear - U0 U; nra]. }
   assert (q0 : 0 <= w / l) by (apply Rmult_le_pos; [exact w0|left; apply Rinv_0_lt_compat, l3]).
   destruct (fl_any_bounds _ q0) as [Q _]; pose proof (fl_nonneg _ q0) as Q0; set (q := fl (w / l)) in *.
   assert (g0 : 0 <= q * (1 + 16 * u)) by (apply Rmult_le_pos; lra).
@@ -75,18 +75,18 @@ Proof.
   - eapply Rle_trans; [|exact S].
     assert (b1 : z * (1 - 4.1 * u) - eta <= q).
     { assert (z * (1 - 3 * u - 3 * (u * u)) * (1 - u) <= w / l * (1 - u)) by (apply Rmult_le_compat_r; lra).
-      assert (z * (1 - 4.1 * u) <= z * ((1 - 3 * u - 3 * (u * u)) * (1 - u))) by (apply Rmult_le_compat_l; [exact z0|nra]).
+      assert (z * (1 - 4.1 * u) <= z * ((1 - 3 * u - 3 * (u * u)) * (1 - u))) by (apply Rmult_le_compat_l; [exact z0|clear - U0 U; nra]).
       lra. }
     assert (b2 : (z * (1 - 4.1 * u) - eta) * ((1 + 16 * u) * (1 - u)) <= q * ((1 + 16 * u) * (1 - u)))
-      by (apply Rmult_le_compat_r; [nra|exact b1]).
-    assert (b3 : z * (1 + 10.8 * u) <= z * ((1 - 4.1 * u) * ((1 + 16 * u) * (1 - u)))) by (apply Rmult_le_compat_l; [exact z0|nra]).
-    assert (b4 : eta * ((1 + 16 * u) * (1 - u)) <= eta * (1 + 15 * u)) by (apply Rmult_le_compat_l; [lra|nra]).
+      by (apply Rmult_le_compat_r; [clear - U0 U; nra|exact b1]).
+    assert (b3 : z * (1 + 10.8 * u) <= z * ((1 - 4.1 * u) * ((1 + 16 * u) * (1 - u)))) by (apply Rmult_le_compat_l; [exact z0|clear - U0 U; nra]).
+    assert (b4 : eta * ((1 + 16 * u) * (1 - u)) <= eta * (1 + 15 * u)) by (apply Rmult_le_compat_l; [lra|clear - U0 U; nra]).
     assert (b5 : z * (1 + 10.8 * u) - 15 * (u * eta) <= g + 2 * eta) by lra.
     assert (b6 : u * (2 * eta) <= u * z) by (apply Rmult_le_compat_l; lra).
     assert (b6' : 0 <= u * eta) by (apply Rmult_le_pos; lra).
     assert (b7 : z * (1 + 3 * u) <= g + 2 * eta) by lra.
     assert (b8 : z * (1 + 3 * u) * (1 - u) <= (g + 2 * eta) * (1 - u)) by (apply Rmult_le_compat_r; lra).
-    assert (b9 : z * 1 <= z * ((1 + 3 * u) * (1 - u))) by (apply Rmult_le_compat_l; [exact z0|nra]).
+    assert (b9 : z * 1 <= z * ((1 + 3 * u) * (1 - u))) by (apply Rmult_le_compat_l; [exact z0|clear - U0 U; nra]).
     lra.
 Qed.
 

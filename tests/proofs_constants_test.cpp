@@ -4,6 +4,7 @@
 // makes of real shafts.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -95,7 +96,7 @@ class ProofsConstants : public testing::Test {
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(ProofsConstants, Scalars);
 
-/// BoxThreshold.v: box_sum, box_threshold.
+/// BoxThreshold.v: box_sum, box_threshold. BoxGap.v: code_box_gap.
 TYPED_TEST(ProofsConstants, BoxThresholdsAreComputedAsProved) {
   using F = TypeParam;
   int planes = 0;
@@ -103,8 +104,12 @@ TYPED_TEST(ProofsConstants, BoxThresholdsAreComputedAsProved) {
     Box<F> a, b;
     this->boxes(a, b);
     const Shaft<F> shaft = fast::form_certified_box_shaft(a, b);
+    F gap = 0;
     for (const ShaftPlane<F>& plane : shaft.planes()) {
-      if (std::isinf(plane.outside_threshold)) continue;
+      if (std::isinf(plane.outside_threshold)) {
+        gap = plane.outside_threshold;
+        continue;
+      }
       ++planes;
       const F x = this->magnitude(shaft.extent, plane.far0), y = this->magnitude(shaft.extent, plane.far1);
       const F sum = std::fabs(plane.n0) * (x + std::fabs(a.c[plane.far0])) +
@@ -112,12 +117,17 @@ TYPED_TEST(ProofsConstants, BoxThresholdsAreComputedAsProved) {
       const F threshold = F(proved("box_plane")) * this->u * sum + F(proved("box_underflow")) * this->two_eta;
       ASSERT_EQ(plane.outside_threshold, threshold);
       ASSERT_EQ(plane.inside_threshold, -threshold);
+      const F length = std::fabs(plane.n0) + std::fabs(plane.n1);
+      gap =
+          std::max(gap, 2 * threshold / length * (1 + F(proved("gap_inflation")) * this->u) + this->two_eta);
     }
+    ASSERT_EQ(shaft.stated_gap.base, gap);
   }
   EXPECT_GT(planes, 10000);
 }
 
-/// ShortenedNormal.v, BallThreshold.v: code_m, code_outside, code_inside. BallSlack.v.
+/// ShortenedNormal.v, BallThreshold.v: code_m, code_outside, code_inside. BallSlack.v. BallGap.v: code_base,
+/// code_gap.
 TYPED_TEST(ProofsConstants, BallThresholdsAreComputedAsProved) {
   using F = TypeParam;
   const F safe = std::is_same_v<F, float> ? F(0x1p40) : F(0x1p300);
@@ -130,9 +140,14 @@ TYPED_TEST(ProofsConstants, BallThresholdsAreComputedAsProved) {
     EXPECT_EQ(shaft.slack.square_factor, 1 + F(proved("square_factor")) * this->u);
     EXPECT_EQ(shaft.slack.square_offset, F(proved("square_offset")) * this->two_eta);
     EXPECT_EQ(shaft.slack.inside_factor, 1 + F(proved("side_factor")) * this->u);
+    EXPECT_EQ(shaft.stated_gap.per_radius, F(proved("gap_per_radius")) * this->u);
+    F base = 0;
     for (std::size_t k = 0; k < shaft.plane_count; ++k) {
       const ShaftPlane<F>& plane = shaft.plane_set[k];
-      if (std::isinf(plane.outside_threshold)) continue;
+      if (std::isinf(plane.outside_threshold)) {
+        base = plane.outside_threshold;
+        continue;
+      }
       ++planes;
       F n0 = formed.plane_set[k].n0, n1 = formed.plane_set[k].n1;
       const F larger = std::max(std::fabs(n0), std::fabs(n1));
@@ -161,7 +176,14 @@ TYPED_TEST(ProofsConstants, BallThresholdsAreComputedAsProved) {
                     underflow);
       ASSERT_EQ(plane.inside_threshold,
                 -(inflated * (F(proved("ball_inside_p")) * p + F(proved("ball_inside_d")) * d) + underflow));
+      const F larger_threshold = std::max(plane.outside_threshold, -plane.inside_threshold);
+      base = std::max(base, F(proved("inflate")) * (larger_threshold + this->u * (F(proved("gap_p")) * p)) +
+                                F(proved("gap_underflow")) * underflow);
     }
+    const F root = std::is_same_v<F, float> ? F(0x1p-72) : F(0x1p-534);  // BallGap.v: kept_ball_grown_is_kept
+    EXPECT_GE(root, 8 * this->two_eta);
+    EXPECT_GE(root * root, 10 * this->two_eta);
+    ASSERT_EQ(shaft.stated_gap.base, base + root);
   }
   EXPECT_GT(planes, 10000);
 }
