@@ -504,6 +504,26 @@ Proof.
     apply Rabs_le; lra.
 Qed.
 
+(** A side of the extent box that does not accept the ball as inside. *)
+Theorem refused_side_is_near c l r : is_float c -> is_float l -> 0 <= r ->
+  fl (c - l) < fl (r * (1 + side_factor * u)) -> c - l < r * (1 + 6.2 * u) + 1.1 * eta.
+Proof.
+  intros Fc Fl Hr H; pose proof u_positive as U0; pose proof u_small as U; pose proof eta_positive as T0.
+  assert (ru : 0 <= r * u) by (apply Rmult_le_pos; lra).
+  destruct (Rle_lt_dec (c - l) 0) as [C|C]; [assert (0 <= r * (6.2 * u)) by lra; lra|].
+  assert (P : 0 <= c - l) by lra.
+  assert (Q : 0 <= r * (1 + side_factor * u)) by (unfold side_factor; lra).
+  assert (Fo : is_float (- l)) by apply is_float_opp, Fl.
+  destruct (fl_plus_bounds c (- l) Fc Fo P) as [L _]; destruct (fl_any_bounds _ Q) as [_ G]; unfold side_factor in *.
+  change (c + - l) with (c - l) in L.
+  apply Rnot_le_lt; intro K.
+  assert (K1 : (r * (1 + 6.2 * u) + 1.1 * eta) * (1 - u) <= (c - l) * (1 - u)) by (apply Rmult_le_compat_r; lra).
+  assert (K2 : r * ((1 + 4 * u) * (1 + u)) <= r * ((1 + 6.2 * u) * (1 - u)))
+    by (apply Rmult_le_compat_l; [exact Hr|clear - U0 U; nra]).
+  assert (eta * (1.1 * u) <= eta * 0.01) by (apply Rmult_le_compat_l; lra).
+  lra.
+Qed.
+
 (** ** The whole test *)
 Definition gap_per_radius : R := 32.
 (** stated_gap.at(r) for one base: base + root first, then the radius. *)
