@@ -8,11 +8,10 @@
     is not outside by the paper's sphere test in real numbers, when grown by the stated gap. *)
 Require Import Reals Lra Psatz ZArith List Bool.
 Require Import Flocq.Core.Core.
-Require Import Gnomon.Boxes Gnomon.PlaneSet Gnomon.BoxTest.
+Require Import Gnomon.Boxes Gnomon.PlaneSet Gnomon.BoxTest Gnomon.BallDistance Gnomon.BallAgainstPlane.
 Require Import Gnomon.RoundingModel Gnomon.PlaneError Gnomon.BoxTestCertified Gnomon.ShortenedNormal.
 Require Import Gnomon.BallThreshold Gnomon.BallTestCertified Gnomon.ShortenedPlane Gnomon.BallSlack.
 Require Import Gnomon.SlabBox Gnomon.CertifiedBoxTest Gnomon.Prescale Gnomon.CertifiedBallTest.
-Require Gnomon.BallDistance Gnomon.BallAgainstPlane.
 Open Scope R_scope.
 
 Section Long.
