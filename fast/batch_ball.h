@@ -60,6 +60,19 @@ class ExactBallShaft {
     double q, inverse;  ///< inverse is 0 where q is 0, and not exact
     bool is_exact;
   };
+  /// The grid's stage: the plane n0 p_far0 + n1 p_far1 <= 0, with p the distances beyond the sides of a.
+  struct GridPlane {
+    F n0, n1, squared_length;
+    Face far0, far1;
+  };
+  struct Grid {
+    bool is_usable = false;     ///< the shaft's coordinates are multiples of some power of two g, and few
+    F rounder = 0;              ///< added and taken away again, it rounds to multiples of g
+    F largest_radius = 0;
+    scene::Box<F> range{};      ///< of centres
+    std::array<F, 6> q{};       ///< Run::q
+    std::array<GridPlane, 8> planes{};
+  };
   scene::Box<F> a, b, extent;
   std::array<Filter, 8> filters;
   std::array<Plane, 8> planes;
@@ -68,11 +81,16 @@ class ExactBallShaft {
   F inner_margin;  ///< below minus this the filters' largest value proves the centre within all planes; NaN:
                    ///< never
   BallSlack<F> slack;
+  Grid grid;
   bool has_error_free;
+
+ private:
+  void find_grid();
 };
 
-/// The exact category of every valid ball: the certified test, certificates and error-free transforms in
-/// double precision, both in vector registers, then `predicate` for what is left. The answers for invalid
+/// The exact category of every valid ball: the certified test; exact arithmetic on a grid, where shaft and
+/// ball have one; certificates and error-free transforms in double precision; all three in vector registers,
+/// then `predicate` for what is left. The answers for invalid
 /// balls (NaN, infinity, negative radius) are unspecified categories.
 template <class F>
 BatchCounters classify_balls_exact(const ExactBallShaft<F>& shaft, const BallsSoA<F>& balls,

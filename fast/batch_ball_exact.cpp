@@ -13,6 +13,8 @@
 // m.c + d,
 //   and |m| >= 1 - 13 u.
 //
+// ON A GRID, between the stages: batch_ball_grid_inl.h.
+//
 // STAGE 2, in double precision with u = 2^-53. The centre lies beyond the side k of the box at s by p_k + q_k
 // s (lower sides lo - c, upper sides c - hi); t_k is its computed positive part, at a computed s in [0, 1],
 // and k_k = |p_k| + |q_k|. Differences have an error of u, so |p_k + q_k s - computed| <= 3.01 u k_k.
@@ -43,6 +45,7 @@
 #define HWY_TARGET_INCLUDE "fast/batch_ball_exact.cpp"
 #include <hwy/foreach_target.h>
 
+#include "fast/batch_ball_grid_inl.h"
 #include "fast/batch_ball_stage2_inl.h"
 #include "fast/batch_vector_inl.h"
 
@@ -52,7 +55,7 @@ namespace HWY_NAMESPACE {
 
 template <class F>
 struct ExactBallKernel {
-  static constexpr bool kLeavesOpen = true;
+  static constexpr bool kLeavesOpen = true, kHasGrid = true;
   const ExactBallShaft<F>& shaft;
 
   using D = hn::ScalableTag<F>;
@@ -133,6 +136,11 @@ struct ExactBallKernel {
   }
 
   template <bool kThreeWay>
+  HWY_INLINE BatchWord resolve_on_grid(const F* const* c) const {
+    return BallGridStage<F>(shaft, c).template resolve<kThreeWay>();
+  }
+
+  template <bool kThreeWay>
   HWY_INLINE BatchWord resolve(const F* const* c) const {
     return BallStage2<F>(shaft, c).template resolve<kThreeWay>();
   }
@@ -210,6 +218,39 @@ ExactBallShaft<F>::ExactBallShaft(const scene::Box<F>& a_box, const scene::Box<F
         face < 3 ? exact_difference(b.c[face], a.c[face]) : exact_difference(a.c[face], b.c[face]);
     runs[face] = {q.high, q.high != 0 ? 1 / q.high : 0, q.low == 0};
   }
+  find_grid();
+}
+
+/// The finest grid that the extent box allows, so that balls may have more digits than the shaft.
+template <class F>
+void ExactBallShaft<F>::find_grid() {
+  constexpr int digits = std::numeric_limits<F>::digits, m = (digits - 2) / 2;
+  F width = 0, largest = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    width = std::max(width, extent.hi(axis) - extent.lo(axis));
+    largest = std::max({largest, std::fabs(extent.lo(axis)), std::fabs(extent.hi(axis))});
+  }
+  if (!std::isnormal(width)) return;
+  const int exponent = std::ilogb(width) + 1 - (m - 2);  // of g: width < 2^(m-2) g
+  // Neither g^4 nor what is 2^(4m+4) times as much under- or overflows.
+  if (std::abs(exponent) > (std::numeric_limits<F>::max_exponent - (4 * m + 4)) / 4) return;
+  const F g = std::scalbn(F(1), exponent), limit = std::scalbn(g, m);
+  if (!(largest <= std::scalbn(g, 2 * m - 1))) return;
+  grid.rounder = F(1.5) * std::scalbn(g, digits - 1);
+  for (std::size_t face = 0; face < 6; ++face) {
+    for (const F x : {a.c[face], b.c[face]}) {
+      if ((x + grid.rounder) - grid.rounder != x) return;
+    }
+    grid.q[face] = static_cast<F>(runs[face].q);
+    grid.range.c[face] = face < 3 ? extent.c[face + 3] - limit : extent.c[face - 3] + limit;
+  }
+  for (std::size_t i = 0; i < plane_count; ++i) {
+    // Outward normals times outward distances: no signs.
+    const F n0 = static_cast<F>(std::fabs(planes[i].n0_high)), n1 = static_cast<F>(std::fabs(planes[i].n1_high));
+    grid.planes[i] = {n0, n1, n0 * n0 + n1 * n1, planes[i].far0, planes[i].far1};
+  }
+  grid.largest_radius = limit;
+  grid.is_usable = true;
 }
 
 template <class F>

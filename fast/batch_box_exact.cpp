@@ -33,7 +33,7 @@ namespace HWY_NAMESPACE {
 
 template <class F>
 struct ExactBoxKernel {
-  static constexpr bool kLeavesOpen = true;
+  static constexpr bool kLeavesOpen = true, kHasGrid = false;
   const ExactBoxShaft<F>& shaft;
   /// 12 u, or infinity, which nothing exceeds, when the filter may not decide.
   F margin = shaft.has_filter ? 12 * Rounding<F>::u : std::numeric_limits<F>::infinity();

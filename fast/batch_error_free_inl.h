@@ -30,44 +30,62 @@ HWY_INLINE hn::Mask<D> no_lanes(D d) {
 }
 
 /// The unevaluated sum high + low, |low| <= u |high|.
-struct TwoDoubles {
-  VDouble high, low;
+template <class V>
+struct TwoNumbers {
+  V high, low;
 };
+using TwoDoubles = TwoNumbers<VDouble>;
 
-HWY_INLINE TwoDoubles two_sum(VDouble a, VDouble b) {
-  const VDouble sum = hn::Add(a, b);
-  const VDouble of_b = hn::Sub(sum, a);
+template <class V>
+HWY_INLINE TwoNumbers<V> two_sum(V a, V b) {
+  const V sum = hn::Add(a, b);
+  const V of_b = hn::Sub(sum, a);
   return {sum, hn::Add(hn::Sub(a, hn::Sub(sum, of_b)), hn::Sub(b, of_b))};
 }
 
-HWY_INLINE TwoDoubles two_difference(VDouble a, VDouble b) {
-  const VDouble difference = hn::Sub(a, b);
-  const VDouble of_b = hn::Sub(a, difference);
+template <class V>
+HWY_INLINE TwoNumbers<V> two_difference(V a, V b) {
+  const V difference = hn::Sub(a, b);
+  const V of_b = hn::Sub(a, difference);
   return {difference, hn::Sub(hn::Sub(a, hn::Add(difference, of_b)), hn::Sub(b, of_b))};
 }
 
 #if HWY_NATIVE_FMA
-HWY_INLINE TwoDoubles two_product(VDouble a, VDouble b) {
-  const VDouble product = hn::Mul(a, b);
+template <class V>
+HWY_INLINE TwoNumbers<V> two_product(V a, V b) {
+  const V product = hn::Mul(a, b);
   return {product, hn::MulSub(a, b, product)};
 }
 #else
-/// Two halves of 26 bits each (one of them signed).
-HWY_INLINE TwoDoubles split(VDouble a) {
-  const VDouble scaled = hn::Mul(a, hn::Set(Doubles(), 0x1p27 + 1));
-  const VDouble high = hn::Sub(scaled, hn::Sub(scaled, a));
+/// Two halves of 12 bits each, or of 26 (one of them signed).
+template <class V>
+HWY_INLINE TwoNumbers<V> split(V a) {
+  using F = hn::TFromV<V>;
+  const V scaled = hn::Mul(a, hn::Set(hn::DFromV<V>(), sizeof(F) == 4 ? F(0x1p12 + 1) : F(0x1p27 + 1)));
+  const V high = hn::Sub(scaled, hn::Sub(scaled, a));
   return {high, hn::Sub(a, high)};
 }
 
-HWY_INLINE TwoDoubles two_product(VDouble a, VDouble b) {
-  const VDouble product = hn::Mul(a, b);
-  const TwoDoubles x = split(a), y = split(b);
-  VDouble error = hn::Sub(hn::Mul(x.high, y.high), product);
+template <class V>
+HWY_INLINE TwoNumbers<V> two_product(V a, V b) {
+  const V product = hn::Mul(a, b);
+  const TwoNumbers<V> x = split(a), y = split(b);
+  V error = hn::Sub(hn::Mul(x.high, y.high), product);
   error = hn::Add(error, hn::Mul(x.high, y.low));
   error = hn::Add(error, hn::Mul(x.low, y.high));
   return {product, hn::Add(error, hn::Mul(x.low, y.low))};
 }
 #endif
+
+/// A number with the sign of a b - c d, zero included, where the errors of both products are exact: rounding
+/// is monotone, so rounded products that differ are in the order of the exact ones, and the errors order
+/// equal ones.
+template <class V>
+HWY_INLINE V sign_of_products(V a, V b, V c, V d) {
+  const TwoNumbers<V> left = two_product(a, b), right = two_product(c, d);
+  return hn::IfThenElse(hn::Eq(left.high, right.high), hn::Sub(left.low, right.low),
+                        hn::Sub(left.high, right.high));
+}
 
 /// What is known of a sign: where `certain`, the exact value has the sign of `value`, zero included.
 struct VectorSign {

@@ -59,7 +59,8 @@ struct BitPlanes {
 /// What the exact tier had to do beyond its first stage.
 struct BatchCounters {
   std::uint64_t second_stage = 0;     ///< items that the first stage left open
-  std::uint64_t predicate_calls = 0;  ///< items that the second stage left open too
+  std::uint64_t on_grid = 0;          ///< those of them that were decided on a grid (balls only)
+  std::uint64_t predicate_calls = 0;  ///< items that all stages left open
 
   friend bool operator==(const BatchCounters&, const BatchCounters&) = default;
 };

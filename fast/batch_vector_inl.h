@@ -172,9 +172,20 @@ struct OpenItems {
     }
   }
 
+  HWY_INLINE void move(std::size_t from, std::size_t to) {
+    for (auto& array : numbers) array[to] = array[from];
+    index[to] = index[from];
+  }
+
+  HWY_INLINE std::array<const F*, kArrays> at(std::size_t first) const {
+    std::array<const F*, kArrays> arrays;
+    for (std::size_t i = 0; i < kArrays; ++i) arrays[i] = numbers[i] + first;
+    return arrays;
+  }
+
   /// Repeats the last item until vectors are full.
   HWY_INLINE void pad(std::size_t lanes) {
-    for (std::size_t i = count; i % lanes != 0; ++i) {
+    for (std::size_t i = count; count != 0 && i % lanes != 0; ++i) {
       for (auto& array : numbers) array[i] = array[count - 1];
     }
   }
@@ -190,34 +201,58 @@ HWY_INLINE hn::Vec<D> load_double(D d, const float* from) {
   return hn::PromoteTo(d, hn::LoadU(hn::Rebind<float, D>(), from));
 }
 
-/// All stages: the kernel's words, its resolve() for what they leave open, and `decide` for the rest.
+/// All stages: the kernel's words; for what they leave open resolve_on_grid(), where there is one, and
+/// resolve(); and `decide` for the rest.
 template <class F, std::size_t kArrays, class Kernel, class Decide>
 HWY_INLINE BatchCounters run_with_stages(const Kernel& kernel, const std::array<const F*, kArrays>& arrays,
                                          std::size_t count, const BatchOutput& out, bool has_second_stage,
                                          Decide decide) {
   BatchCounters counters;
   OpenItems<kArrays, F> items;
-  const auto resolve_all = [&]<bool kThreeWay>() {
-    const std::size_t lanes = hn::Lanes(hn::ScalableTag<double>());
-    if (items.count != 0) items.pad(lanes);
+  const auto category_of = [](const BatchWord& answers, std::size_t lane) {
+    return static_cast<scene::Category>((answers.kept >> lane & 1) + (answers.inside >> lane & 1));
+  };
+  // Moves what the grid leaves open to the front.
+  const auto resolve_on_grid = [&]<bool kThreeWay>() {
+    const std::size_t lanes = hn::Lanes(hn::ScalableTag<F>());
+    items.pad(lanes);
+    std::size_t left = 0;
     for (std::size_t first = 0; first < items.count; first += lanes) {
       const std::size_t many = std::min(lanes, items.count - first);
-      std::array<const F*, kArrays> at;
-      for (std::size_t i = 0; i < kArrays; ++i) at[i] = items.numbers[i] + first;
+      const BatchWord answers = kernel.template resolve_on_grid<kThreeWay>(items.at(first).data());
+      for (std::size_t i = 0; i < many; ++i) {
+        if (HWY_UNLIKELY((answers.open >> i & 1) != 0)) {
+          items.move(first + i, left++);
+        } else {
+          out.set(items.index[first + i], category_of(answers, i));
+        }
+      }
+    }
+    counters.on_grid += items.count - left;
+    items.count = left;
+  };
+  const auto resolve_all = [&]<bool kThreeWay>() {
+    counters.second_stage += items.count;
+    if constexpr (Kernel::kHasGrid) {
+      if (kernel.shaft.grid.is_usable) resolve_on_grid.template operator()<kThreeWay>();
+    }
+    const std::size_t lanes = hn::Lanes(hn::ScalableTag<double>());
+    items.pad(lanes);
+    for (std::size_t first = 0; first < items.count; first += lanes) {
+      const std::size_t many = std::min(lanes, items.count - first);
       BatchWord answers;
       answers.open = ~std::uint64_t{0};
-      if (has_second_stage) answers = kernel.template resolve<kThreeWay>(at.data());
+      if (has_second_stage) answers = kernel.template resolve<kThreeWay>(items.at(first).data());
       for (std::size_t i = 0; i < many; ++i) {
         const std::size_t item = items.index[first + i];
         if ((answers.open >> i & 1) != 0) {
           ++counters.predicate_calls;
           out.set(item, decide(item));
         } else {
-          out.set(item, static_cast<scene::Category>((answers.kept >> i & 1) + (answers.inside >> i & 1)));
+          out.set(item, category_of(answers, i));
         }
       }
     }
-    counters.second_stage += items.count;
     items.count = 0;
   };
   const auto run = [&]<bool kThreeWay>() {

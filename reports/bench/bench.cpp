@@ -49,7 +49,7 @@ __attribute__((target_clones("avx512f", "avx2", "default"))) std::uint64_t read_
 struct Row {
   std::vector<Contender> contenders;
   std::size_t count = 0;
-  double outside = 0, second_stage = 0, predicate = 0;  ///< shares, from the f32 exact tier
+  double outside = 0, second_stage = 0, on_grid = 0, predicate = 0;  ///< shares, from the f32 exact tier
 };
 
 /// The contenders of one precision: `Questions` knows how to classify.
@@ -89,12 +89,14 @@ void add_contenders(Row& row, std::shared_ptr<const Items> items, const std::vec
     for (const Questions& q : *questions) {
       const fast::BatchCounters counters = q.exact(items->view(), std::span<std::uint8_t>(*bytes));
       all.second_stage += counters.second_stage;
+      all.on_grid += counters.on_grid;
       all.predicate_calls += counters.predicate_calls;
       for (const std::uint8_t byte : *bytes) outside += byte == 0;
     }
     const double trials = static_cast<double>(count) * static_cast<double>(ends.size());
     row.outside = static_cast<double>(outside) / trials;
     row.second_stage = static_cast<double>(all.second_stage) / trials;
+    row.on_grid = static_cast<double>(all.on_grid) / trials;
     row.predicate = static_cast<double>(all.predicate_calls) / trials;
   }
 }
@@ -176,8 +178,8 @@ void print_row(const std::string& title, const Row& row, int rounds) {
   const int repeats = static_cast<int>(std::max<std::size_t>(1, 100000 / row.count));
   const int slices = row.count > 1000000 ? 1 : 12;
   const auto seconds = time_paired(row.contenders, rounds, slices, repeats);
-  std::printf("%s, N = %zu: outside %.3f, second stage %.2g, predicate %.2g\n", title.c_str(), row.count,
-              row.outside, row.second_stage, row.predicate);
+  std::printf("%s, N = %zu: outside %.3f, second stage %.2g (on a grid %.2g), predicate %.2g\n", title.c_str(),
+              row.count, row.outside, row.second_stage, row.on_grid, row.predicate);
   const std::size_t half = row.contenders.size() / 2;
   for (std::size_t i = 0; i < seconds.size(); ++i) {
     const Median taken = median_of(seconds[i]);
