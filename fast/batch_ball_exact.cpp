@@ -135,9 +135,9 @@ struct ExactBallKernel {
     return answers;
   }
 
-  template <bool kThreeWay>
+  template <bool kThreeWay, Effort kEffort>
   HWY_INLINE BatchWord resolve_on_grid(const F* const* c) const {
-    return BallGridStage<F>(shaft, c).template resolve<kThreeWay>();
+    return BallGridStage<F>(shaft, c).template resolve<kThreeWay, kEffort>();
   }
 
   template <bool kThreeWay>

@@ -48,7 +48,7 @@ class BallGridStage {
     square_ = hn::Mul(radius_, radius_);
   }
 
-  template <bool kThreeWay>
+  template <bool kThreeWay, Effort kEffort>
   HWY_INLINE BatchWord resolve() const {
     BatchWord answers;
     const std::uint64_t all = (std::uint64_t{1} << hn::Lanes(d_)) - 1;
@@ -62,7 +62,7 @@ class BallGridStage {
     const M near = hn::Le(within.square, square_), behind = hn::Le(within.moving, hn::Zero(d_));
     M meets = hn::And(near, behind), open = hn::AndNot(behind, near);
     if (!hn::AllFalse(d_, hn::And(usable, open))) {
-      const Decided decided = judge_distance(p);
+      const Decided decided = this->template judge_distance<kEffort>(p);
       meets = hn::Or(meets, hn::And(open, decided.meets));
       open = hn::AndNot(hn::Or(decided.meets, decided.outside), open);
     }
@@ -154,6 +154,7 @@ class BallGridStage {
     M meets, outside;
   };
 
+  template <Effort kEffort>
   HWY_INLINE Decided judge_distance(const V (&p)[6]) const {
     const V zero = hn::Zero(d_);
     V from_b[6];
@@ -161,45 +162,72 @@ class BallGridStage {
     const End at_a = judge_end(p), at_b = judge_end(from_b);
     M meets = hn::Le(hn::Min(at_a.square, at_b.square), square_);
     M outside = hn::AndNot(meets, hn::Or(hn::Ge(at_a.slope, zero), hn::Le(at_b.slope, zero)));
-    // The slope's root, were there no kinks.
-    V s = hn::Div(at_a.slope, hn::Sub(at_a.slope, at_b.slope));
-    for (int round = 0; round < kRounds; ++round) {
-      const M between = hn::Not(hn::Or(meets, outside));
-      if (hn::AllFalse(d_, between)) break;
-      const Decided decided = judge_between(p, s);
-      meets = hn::Or(meets, hn::And(between, decided.meets));
-      outside = hn::Or(outside, hn::And(between, decided.outside));
+    // The slope has a root between left and right, and were it straight, it were s.
+    V left = zero, right = number(1), slope_left = at_a.slope, slope_right = at_b.slope;
+    V s = root(left, right, slope_left, slope_right);
+    const V clearly = hn::Mul(square_, number(kClearly));
+    for (int round = 0;; ++round) {
+      const Active k = active_at(p, s);
+      meets = hn::Or(meets, hn::AndNot(outside, hn::Lt(k.square, clearly)));
+      if (kEffort == Effort::glance || round == kRounds) break;
+      const Decided decided = judge_least(p, k);
+      meets = hn::Or(meets, hn::AndNot(outside, decided.meets));
+      outside = hn::Or(outside, hn::AndNot(meets, decided.outside));
+      if (hn::AllTrue(d_, hn::Or(meets, outside))) break;
+      const V slope = hn::Add(k.pq, hn::Mul(k.qq, s));
+      const M falls = hn::Lt(slope, zero);
+      left = hn::IfThenElse(falls, s, left);
+      slope_left = hn::IfThenElse(falls, slope, slope_left);
+      right = hn::IfThenElse(falls, right, s);
+      slope_right = hn::IfThenElse(falls, slope_right, slope);
+      const V newton = hn::Div(hn::Neg(k.pq), k.qq);
+      const M between = hn::And(hn::Lt(left, newton), hn::Lt(newton, right));
+      s = hn::IfThenElse(between, newton, root(left, right, slope_left, slope_right));
     }
     return {meets, outside};
   }
 
-  /// As often as Newton's method is tried: measured, see below.
-  static constexpr int kRounds = 4;
+  static HWY_INLINE V root(V left, V right, V slope_left, V slope_right) {
+    const V share = hn::Div(slope_left, hn::Sub(slope_left, slope_right));
+    return hn::Add(left, hn::Mul(share, hn::Sub(right, left)));
+  }
 
-  /// Step 4 with the sides beyond which the centre lies at s; moves s to their minimum.
-  HWY_INLINE Decided judge_between(const V (&p)[6], V& s) const {
-    const V zero = hn::Zero(d_);
-    V pp = zero, pq = zero, qq = zero;
+  struct Active {
+    V pp, pq, qq, square;
     M in_k[6];
+  };
+  static constexpr int kRounds = 6;
+  static constexpr F kClearly = F(1 - 0x1p-10);
+
+  HWY_INLINE Active active_at(const V (&p)[6], V s) const {
+    const V zero = hn::Zero(d_);
+    Active k{zero, zero, zero, zero, {}};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const std::size_t lo = axis, hi = axis + 3;
       const V q_lo = number(shaft_.grid.q[lo]), q_hi = number(shaft_.grid.q[hi]);
-      in_k[lo] = hn::Gt(hn::Add(p[lo], hn::Mul(q_lo, s)), zero);
-      in_k[hi] = hn::AndNot(in_k[lo], hn::Gt(hn::Add(p[hi], hn::Mul(q_hi, s)), zero));  // sums of three
-      const V p_k = hn::IfThenElse(in_k[lo], p[lo], hn::IfThenElseZero(in_k[hi], p[hi]));
-      const V q_k = hn::IfThenElse(in_k[lo], q_lo, hn::IfThenElseZero(in_k[hi], q_hi));
-      pp = hn::Add(pp, hn::Mul(p_k, p_k));
-      pq = hn::Add(pq, hn::Mul(p_k, q_k));
-      qq = hn::Add(qq, hn::Mul(q_k, q_k));
+      const V t_lo = hn::Add(p[lo], hn::Mul(q_lo, s)), t_hi = hn::Add(p[hi], hn::Mul(q_hi, s));
+      k.in_k[lo] = hn::Gt(t_lo, zero);
+      k.in_k[hi] = hn::AndNot(k.in_k[lo], hn::Gt(t_hi, zero));  // sums of three
+      const V p_k = hn::IfThenElse(k.in_k[lo], p[lo], hn::IfThenElseZero(k.in_k[hi], p[hi]));
+      const V q_k = hn::IfThenElse(k.in_k[lo], q_lo, hn::IfThenElseZero(k.in_k[hi], q_hi));
+      const V t = hn::Max(hn::Max(t_lo, t_hi), zero);
+      k.pp = hn::Add(k.pp, hn::Mul(p_k, p_k));
+      k.pq = hn::Add(k.pq, hn::Mul(p_k, q_k));
+      k.qq = hn::Add(k.qq, hn::Mul(q_k, q_k));
+      k.square = hn::Add(k.square, hn::Mul(t, t));
     }
-    s = hn::Div(hn::Neg(pq), qq);
+    return k;
+  }
+
+  HWY_INLINE Decided judge_least(const V (&p)[6], const Active& k) const {
+    const V zero = hn::Zero(d_);
     V fault = zero;  // the largest t_k off K and -t_k on it, or what has the same sign
     for (std::size_t face = 0; face < 6; ++face) {
-      const V t = sign_of_products(p[face], qq, number(shaft_.grid.q[face]), pq);
-      fault = hn::Max(fault, hn::IfThenElse(in_k[face], hn::Neg(t), t));
+      const V t = sign_of_products(p[face], k.qq, number(shaft_.grid.q[face]), k.pq);
+      fault = hn::Max(fault, hn::IfThenElse(k.in_k[face], hn::Neg(t), t));
     }
-    const M least = hn::And(hn::Le(fault, zero), hn::Gt(qq, zero));
-    const V excess = sign_of_products(hn::Sub(pp, square_), qq, pq, pq);
+    const M least = hn::And(hn::Le(fault, zero), hn::Gt(k.qq, zero));
+    const V excess = sign_of_products(hn::Sub(k.pp, square_), k.qq, k.pq, k.pq);
     return {hn::And(least, hn::Le(excess, zero)), hn::And(least, hn::Gt(excess, zero))};
   }
 

@@ -201,6 +201,9 @@ HWY_INLINE hn::Vec<D> load_double(D d, const float* from) {
   return hn::PromoteTo(d, hn::LoadU(hn::Rebind<float, D>(), from));
 }
 
+/// How hard resolve_on_grid() tries: a glance decides most items, and the few left are looked at together.
+enum class Effort { glance, thorough };
+
 /// All stages: the kernel's words; for what they leave open resolve_on_grid(), where there is one, and
 /// resolve(); and `decide` for the rest.
 template <class F, std::size_t kArrays, class Kernel, class Decide>
@@ -213,13 +216,13 @@ HWY_INLINE BatchCounters run_with_stages(const Kernel& kernel, const std::array<
     return static_cast<scene::Category>((answers.kept >> lane & 1) + (answers.inside >> lane & 1));
   };
   // Moves what the grid leaves open to the front.
-  const auto resolve_on_grid = [&]<bool kThreeWay>() {
+  const auto resolve_on_grid = [&]<bool kThreeWay, Effort kEffort>() {
     const std::size_t lanes = hn::Lanes(hn::ScalableTag<F>());
     items.pad(lanes);
     std::size_t left = 0;
     for (std::size_t first = 0; first < items.count; first += lanes) {
       const std::size_t many = std::min(lanes, items.count - first);
-      const BatchWord answers = kernel.template resolve_on_grid<kThreeWay>(items.at(first).data());
+      const BatchWord answers = kernel.template resolve_on_grid<kThreeWay, kEffort>(items.at(first).data());
       for (std::size_t i = 0; i < many; ++i) {
         if (HWY_UNLIKELY((answers.open >> i & 1) != 0)) {
           items.move(first + i, left++);
@@ -234,7 +237,10 @@ HWY_INLINE BatchCounters run_with_stages(const Kernel& kernel, const std::array<
   const auto resolve_all = [&]<bool kThreeWay>() {
     counters.second_stage += items.count;
     if constexpr (Kernel::kHasGrid) {
-      if (kernel.shaft.grid.is_usable) resolve_on_grid.template operator()<kThreeWay>();
+      if (kernel.shaft.grid.is_usable) {
+        resolve_on_grid.template operator()<kThreeWay, Effort::glance>();
+        resolve_on_grid.template operator()<kThreeWay, Effort::thorough>();
+      }
     }
     const std::size_t lanes = hn::Lanes(hn::ScalableTag<double>());
     items.pad(lanes);
