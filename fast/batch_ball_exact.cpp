@@ -246,7 +246,8 @@ void ExactBallShaft<F>::find_grid() {
   }
   for (std::size_t i = 0; i < plane_count; ++i) {
     // Outward normals times outward distances: no signs.
-    const F n0 = static_cast<F>(std::fabs(planes[i].n0_high)), n1 = static_cast<F>(std::fabs(planes[i].n1_high));
+    const F n0 = static_cast<F>(std::fabs(planes[i].n0_high)),
+            n1 = static_cast<F>(std::fabs(planes[i].n1_high));
     grid.planes[i] = {n0, n1, n0 * n0 + n1 * n1, planes[i].far0, planes[i].far1};
   }
   grid.largest_radius = limit;

@@ -16,10 +16,16 @@
 // 2. v <= 0 for every plane, and x_k <= 0 for every side with q_k != 0: by Helly some s in [0, 1] has all
 //    those sides behind the centre, so D(s) consists of the sides that don't move, D(s) = E: decided by 1.
 // 3. D(0) <= r^2 or D(1) <= r^2: meets. Else D'(0) >= 0 or D'(1) <= 0: outside, as D is convex.
-// 4. Else the least D is at some s in (0, 1). Let K be a set of sides, and P, Q, R the sums over K of p^2, p q
-//    and q^2. If R > 0, and t_k >= 0 on K and t_k <= 0 off K at s = -Q / R, then D'(s) = 0 and D(s) = P - Q^2 /
-//    R: it is the least, and compares with r^2 as (P - r^2) R does with Q^2. The sign of t_k is that of
-//    p_k R - q_k Q. K is found by Newton's method, and the lane left open where that fails.
+// 4. Else D'(0) < 0 < D'(1), and the least D is at some s in (0, 1).
+//    - Meets: D(s) < r^2 for some s, in floating point: t_k is computed with an error of at most u |t_k| + u
+//    |q_k|,
+//      so the root of D is at most (1 + 4 u) that of its computed value and sqrt(3) u 2^(m-2) g more. As r is
+//      0 or at least g, a value below (1 - 2^-12) r^2 proves D(s) < r^2: 2^-13 > 4 u + sqrt(3) u 2^(m-2).
+//    - Let K be a set of sides, one an axis at most, and P, Q, R the sums over K of p^2, p q and q^2. If R >
+//    0,
+//      and t_k >= 0 on K and t_k <= 0 off K at s = -Q / R, then D'(s) = 0 and D(s) = P - Q^2 / R: it is the
+//      least, and compares with r^2 as (P - r^2) R does with Q^2. The sign of t_k is that of p_k R - q_k Q.
+//    K is taken where Newton's method leads, and the lane left open when it has not found the right one.
 // - Inside: -x_k >= r, v <= 0, v^2 >= r^2 |n|^2 (the definition, without a root).
 #if defined(GNOMON_FAST_BATCH_BALL_GRID_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_FAST_BATCH_BALL_GRID_INL_H_
@@ -154,6 +160,11 @@ class BallGridStage {
     M meets, outside;
   };
 
+  /// Tries of Newton's method; five in a thousand of the hard balls on a grid of 8 take more.
+  static constexpr int kRounds = 6;
+  static constexpr F kClearly = F(1 - 0x1p-12);
+
+  /// Steps 3 and 4; a glance tries one s, and only in floating point.
   template <Effort kEffort>
   HWY_INLINE Decided judge_distance(const V (&p)[6]) const {
     const V zero = hn::Zero(d_);
@@ -162,52 +173,57 @@ class BallGridStage {
     const End at_a = judge_end(p), at_b = judge_end(from_b);
     M meets = hn::Le(hn::Min(at_a.square, at_b.square), square_);
     M outside = hn::AndNot(meets, hn::Or(hn::Ge(at_a.slope, zero), hn::Le(at_b.slope, zero)));
-    // The slope has a root between left and right, and were it straight, it were s.
-    V left = zero, right = number(1), slope_left = at_a.slope, slope_right = at_b.slope;
-    V s = root(left, right, slope_left, slope_right);
     const V clearly = hn::Mul(square_, number(kClearly));
+    Bracket bracket{zero, number(1), at_a.slope, at_b.slope};
+    V s = bracket.root();
     for (int round = 0;; ++round) {
       const Active k = active_at(p, s);
       meets = hn::Or(meets, hn::AndNot(outside, hn::Lt(k.square, clearly)));
-      if (kEffort == Effort::glance || round == kRounds) break;
+      if (kEffort == Effort::glance || round == kRounds) return {meets, outside};
       const Decided decided = judge_least(p, k);
       meets = hn::Or(meets, hn::AndNot(outside, decided.meets));
       outside = hn::Or(outside, hn::AndNot(meets, decided.outside));
-      if (hn::AllTrue(d_, hn::Or(meets, outside))) break;
-      const V slope = hn::Add(k.pq, hn::Mul(k.qq, s));
-      const M falls = hn::Lt(slope, zero);
+      if (hn::AllTrue(d_, hn::Or(meets, outside))) return {meets, outside};
+      bracket.narrow(s, hn::Add(k.pq, hn::Mul(k.qq, s)));
+      const V newton = hn::Div(hn::Neg(k.pq), k.qq);
+      const M between = hn::And(hn::Lt(bracket.left, newton), hn::Lt(newton, bracket.right));
+      s = hn::IfThenElse(between, newton, bracket.root());
+    }
+  }
+
+  /// D' < 0 at left and >= 0 at right, which are within [0, 1].
+  struct Bracket {
+    V left, right, slope_left, slope_right;
+
+    /// Where D' were 0, had it no kinks between them. Not beyond 1: what is less than 1 + u is rounded to 1.
+    HWY_INLINE V root() const {
+      const V share = hn::Div(slope_left, hn::Sub(slope_left, slope_right));
+      return hn::Add(left, hn::Mul(share, hn::Sub(right, left)));
+    }
+
+    HWY_INLINE void narrow(V s, V slope) {
+      const M falls = hn::Lt(slope, hn::Zero(D()));
       left = hn::IfThenElse(falls, s, left);
       slope_left = hn::IfThenElse(falls, slope, slope_left);
       right = hn::IfThenElse(falls, right, s);
       slope_right = hn::IfThenElse(falls, slope_right, slope);
-      const V newton = hn::Div(hn::Neg(k.pq), k.qq);
-      const M between = hn::And(hn::Lt(left, newton), hn::Lt(newton, right));
-      s = hn::IfThenElse(between, newton, root(left, right, slope_left, slope_right));
     }
-    return {meets, outside};
-  }
+  };
 
-  static HWY_INLINE V root(V left, V right, V slope_left, V slope_right) {
-    const V share = hn::Div(slope_left, hn::Sub(slope_left, slope_right));
-    return hn::Add(left, hn::Mul(share, hn::Sub(right, left)));
-  }
-
+  /// The sides beyond which the centre lies at a computed s, the sums over them, and about D(s).
   struct Active {
     V pp, pq, qq, square;
     M in_k[6];
   };
-  static constexpr int kRounds = 6;
-  static constexpr F kClearly = F(1 - 0x1p-10);
 
   HWY_INLINE Active active_at(const V (&p)[6], V s) const {
     const V zero = hn::Zero(d_);
     Active k{zero, zero, zero, zero, {}};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::size_t lo = axis, hi = axis + 3;
+    for (std::size_t lo = 0, hi = 3; lo < 3; ++lo, ++hi) {
       const V q_lo = number(shaft_.grid.q[lo]), q_hi = number(shaft_.grid.q[hi]);
       const V t_lo = hn::Add(p[lo], hn::Mul(q_lo, s)), t_hi = hn::Add(p[hi], hn::Mul(q_hi, s));
       k.in_k[lo] = hn::Gt(t_lo, zero);
-      k.in_k[hi] = hn::AndNot(k.in_k[lo], hn::Gt(t_hi, zero));  // sums of three
+      k.in_k[hi] = hn::AndNot(k.in_k[lo], hn::Gt(t_hi, zero));
       const V p_k = hn::IfThenElse(k.in_k[lo], p[lo], hn::IfThenElseZero(k.in_k[hi], p[hi]));
       const V q_k = hn::IfThenElse(k.in_k[lo], q_lo, hn::IfThenElseZero(k.in_k[hi], q_hi));
       const V t = hn::Max(hn::Max(t_lo, t_hi), zero);

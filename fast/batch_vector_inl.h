@@ -45,6 +45,16 @@ HWY_INLINE hn::Mask512<double> and_not_gt(hn::Mask512<double> mask, hn::Vec512<d
                                           hn::Vec512<double> b) {
   return {_mm512_mask_cmp_pd_mask(mask.raw, a.raw, b.raw, _CMP_NGT_UQ)};
 }
+/// Writes a vector: the numbers whose bits are set, then zeros; reads no others. (Highway's Compress copies a
+/// table to the stack for doubles.)
+HWY_INLINE void compress(const float* from, std::uint64_t bits, float* to) {
+  const auto mask = static_cast<__mmask16>(bits);
+  _mm512_storeu_ps(to, _mm512_maskz_compress_ps(mask, _mm512_maskz_loadu_ps(mask, from)));
+}
+HWY_INLINE void compress(const double* from, std::uint64_t bits, double* to) {
+  const auto mask = static_cast<__mmask8>(bits);
+  _mm512_storeu_pd(to, _mm512_maskz_compress_pd(mask, _mm512_maskz_loadu_pd(mask, from)));
+}
 #else
 template <class M, class V>
 HWY_INLINE M and_le(M mask, V a, V b) {
@@ -159,17 +169,31 @@ HWY_INLINE void run_words(const Kernel& kernel, const std::array<const F*, kArra
 /// Undecided items, collected until there are enough to fill vectors.
 template <std::size_t kArrays, class F>
 struct OpenItems {
-  static constexpr std::size_t kEnough = 64;  // a word adds at most as many again
-  HWY_ALIGN_MAX F numbers[kArrays][2 * kEnough];
-  std::size_t index[2 * kEnough];
+  static constexpr std::size_t kEnough = 192;
+  static constexpr std::size_t kMost = kEnough + 64;         // what a word may add
+  HWY_ALIGN_MAX F numbers[kArrays][kMost + 64 / sizeof(F)];  // and what compress() writes beyond
+  std::size_t index[kMost];
   std::size_t count = 0;
 
   HWY_INLINE void add(const std::array<const F*, kArrays>& arrays, std::size_t first, std::uint64_t open) {
-    for (; open != 0; open &= open - 1) {
-      const std::size_t item = first + static_cast<std::size_t>(std::countr_zero(open));
-      for (std::size_t i = 0; i < kArrays; ++i) numbers[i][count] = arrays[i][item];
-      index[count++] = item;
+    const std::size_t before = count;
+    for (std::uint64_t rest = open; rest != 0; rest &= rest - 1) {
+      index[count++] = first + static_cast<std::size_t>(std::countr_zero(rest));
     }
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+    constexpr std::size_t kLanes = 64 / sizeof(F);
+    std::size_t to = before;
+    for (std::size_t offset = 0; offset < 64; offset += kLanes) {
+      const std::uint64_t here = open >> offset & ((std::uint64_t{1} << kLanes) - 1);
+      if (here == 0) continue;
+      for (std::size_t i = 0; i < kArrays; ++i) compress(arrays[i] + first + offset, here, numbers[i] + to);
+      to += static_cast<std::size_t>(std::popcount(here));
+    }
+#else
+    for (std::size_t i = 0; i < kArrays; ++i) {
+      for (std::size_t to = before; to < count; ++to) numbers[i][to] = arrays[i][index[to]];
+    }
+#endif
   }
 
   HWY_INLINE void move(std::size_t from, std::size_t to) {

@@ -3,12 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
-
-#include "exact/shaft_ball.h"
 #include "fast/certified_shaft.h"
 #include "fast/shaft_ball.h"
-#include "tests/batch_cases.h"
+#include "tests/batch_ball_truth.h"
 #include "tests/shaft_random.h"
 
 namespace gnomon::tests {
@@ -49,27 +46,6 @@ void expect_planes(const std::vector<std::uint8_t>& bytes, const Classify& class
     ASSERT_EQ(inside[i / 64] >> (i % 64) & 1, byte == 2) << i;
     ASSERT_EQ(outside_only[i / 64] >> (i % 64) & 1, byte >= 1) << i;
   }
-}
-
-template <class F>
-std::vector<Category> truth_of(const BallBatch<F>& batch) {
-  std::vector<scene::ShaftBallCase> cases;
-  for (std::size_t i = 0; i < batch.view().count; ++i) {
-    cases.push_back(scene::converted<double>(scene::ShaftBallCaseOf<F>{batch.a, batch.b, batch.view()[i]}));
-  }
-  std::vector<exact::ShaftBallReference> references(cases.size());
-  exact::refer(cases, references);
-  std::vector<Category> truth;
-  for (const auto& reference : references) truth.push_back(reference.truth);
-  return truth;
-}
-
-/// The predicate, from truths known before: asked again and again by each target, rationals would be slow.
-template <class F>
-auto predicate_for(const BallBatch<F>& batch, const std::vector<Category>& truth) {
-  std::map<std::string, Category> answers;
-  for (std::size_t i = 0; i < truth.size(); ++i) answers[text_of(batch.view()[i])] = truth[i];
-  return [answers](const scene::Ball<F>& t) { return answers.at(text_of(t)); };
 }
 
 }  // namespace
