@@ -68,9 +68,8 @@ class ExactBallShaft {
   struct Grid {
     bool is_usable = false;  ///< the shaft's coordinates are multiples of some power of two g, and few
     F rounder = 0;           ///< added and taken away again, it rounds to multiples of g
-    F largest_radius = 0;
-    scene::Box<F> range{};  ///< of centres
-    std::array<F, 6> q{};   ///< Run::q
+    scene::Box<F> range{};   ///< of centres
+    std::array<F, 6> q{};    ///< Run::q
     std::array<GridPlane, 8> planes{};
   };
   scene::Box<F> a, b, extent;

@@ -250,7 +250,6 @@ void ExactBallShaft<F>::find_grid() {
             n1 = static_cast<F>(std::fabs(planes[i].n1_high));
     grid.planes[i] = {n0, n1, n0 * n0 + n1 * n1, planes[i].far0, planes[i].far1};
   }
-  grid.largest_radius = limit;
   grid.is_usable = true;
 }
 

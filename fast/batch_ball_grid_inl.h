@@ -3,11 +3,12 @@
 // for each instruction set. Internal to batch_ball_exact.cpp.
 //
 // All numbers are multiples of g, a power of two, and m = (digits of F - 2) / 2. The shaft's are at most
-// 2^(2m-1) g, its extent box is at most 2^(m-2) g wide; the centre is within 2^m g of every side, and so is
-// the radius of 0 (checked). Hence differences of coordinates are multiples of g up to 2^m g, their products
-// of g^2 up to 2^2m g^2, and three of those still fit into the digits of F: every difference, product of two
-// differences, and sum of up to three such products is exact. Products of them have exact errors
-// (sign_of_products). Only s is rounded, and nothing depends on it but which sides are tried.
+// 2^(2m-1) g, its extent box is at most 2^(m-2) g wide; the centre is within 2^m g of every side (checked).
+// Hence differences of coordinates are multiples of g up to 2^m g, their products of g^2 up to 2^2m g^2, and
+// three of those still fit into the digits of F: every difference, product of two differences, and sum of up
+// to three such products is exact. Products of them have exact errors (sign_of_products). So is r^2 up to 3
+// 2^2m g^2; a larger one is not computed as less than that, and then 3. is right to say "meets". Only s is
+// rounded, and nothing depends on it but which sides are tried.
 //
 // The centre lies beyond side k at s by t_k = p_k + q_k s, and beyond side k of the extent box by x_k = p_k +
 // min(q_k, 0). D(s) = sum of max(t_k, 0)^2, over all real s convex with a continuous slope; at most one side
@@ -25,7 +26,8 @@
 //    0,
 //      and t_k >= 0 on K and t_k <= 0 off K at s = -Q / R, then D'(s) = 0 and D(s) = P - Q^2 / R: it is the
 //      least, and compares with r^2 as (P - r^2) R does with Q^2. The sign of t_k is that of p_k R - q_k Q.
-//    K is taken where Newton's method leads, and the lane left open when it has not found the right one.
+//    K is taken where Newton's method leads (and bisection where that would leave the bracket), and the lane
+//    is left open when it has not found the right one.
 // - Inside: -x_k >= r, v <= 0, v^2 >= r^2 |n|^2 (the definition, without a root).
 #if defined(GNOMON_FAST_BATCH_BALL_GRID_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_FAST_BATCH_BALL_GRID_INL_H_
@@ -68,7 +70,7 @@ class BallGridStage {
     const M near = hn::Le(within.square, square_), behind = hn::Le(within.moving, hn::Zero(d_));
     M meets = hn::And(near, behind), open = hn::AndNot(behind, near);
     if (!hn::AllFalse(d_, hn::And(usable, open))) {
-      const Decided decided = this->template judge_distance<kEffort>(p);
+      const Decided decided = this->template judge_distance<kEffort>(p, hn::And(usable, open));
       meets = hn::Or(meets, hn::And(open, decided.meets));
       open = hn::AndNot(hn::Or(decided.meets, decided.outside), open);
     }
@@ -103,7 +105,6 @@ class BallGridStage {
     const V rounder = number(grid.rounder);
     const auto is_multiple = [&](V x) { return hn::Eq(hn::Sub(hn::Add(x, rounder), rounder), x); };
     M result = hn::And(is_multiple(radius_), hn::Ge(radius_, hn::Zero(d_)));
-    result = and_le(result, radius_, number(grid.largest_radius));
     for (std::size_t axis = 0; axis < 3; ++axis) {
       result = hn::And(result, is_multiple(centre_[axis]));
       result = and_le(result, number(grid.range.c[axis]), centre_[axis]);
@@ -160,13 +161,13 @@ class BallGridStage {
     M meets, outside;
   };
 
-  /// Tries of Newton's method; five in a thousand of the hard balls on a grid of 8 take more.
+  /// Tries of Newton's method: half a percent of what the first stage leaves open on a grid of 8 takes more.
   static constexpr int kRounds = 6;
   static constexpr F kClearly = F(1 - 0x1p-12);
 
-  /// Steps 3 and 4; a glance tries one s, and only in floating point.
+  /// Steps 3 and 4 for the lanes `wanted`; a glance tries one s, and only in floating point.
   template <Effort kEffort>
-  HWY_INLINE Decided judge_distance(const V (&p)[6]) const {
+  HWY_INLINE Decided judge_distance(const V (&p)[6], M wanted) const {
     const V zero = hn::Zero(d_);
     V from_b[6];
     for (std::size_t face = 0; face < 6; ++face) from_b[face] = hn::Add(p[face], number(shaft_.grid.q[face]));
@@ -174,8 +175,8 @@ class BallGridStage {
     M meets = hn::Le(hn::Min(at_a.square, at_b.square), square_);
     M outside = hn::AndNot(meets, hn::Or(hn::Ge(at_a.slope, zero), hn::Le(at_b.slope, zero)));
     const V clearly = hn::Mul(square_, number(kClearly));
-    Bracket bracket{zero, number(1), at_a.slope, at_b.slope};
-    V s = bracket.root();
+    // D' is negative at left, and not at right; were it straight, it were 0 at s.
+    V left = zero, right = number(1), s = hn::Div(at_a.slope, hn::Sub(at_a.slope, at_b.slope));
     for (int round = 0;; ++round) {
       const Active k = active_at(p, s);
       meets = hn::Or(meets, hn::AndNot(outside, hn::Lt(k.square, clearly)));
@@ -183,32 +184,15 @@ class BallGridStage {
       const Decided decided = judge_least(p, k);
       meets = hn::Or(meets, hn::AndNot(outside, decided.meets));
       outside = hn::Or(outside, hn::AndNot(meets, decided.outside));
-      if (hn::AllTrue(d_, hn::Or(meets, outside))) return {meets, outside};
-      bracket.narrow(s, hn::Add(k.pq, hn::Mul(k.qq, s)));
+      if (hn::AllFalse(d_, hn::AndNot(hn::Or(meets, outside), wanted))) return {meets, outside};
+      const M falls = hn::Lt(hn::Add(k.pq, hn::Mul(k.qq, s)), zero);
+      left = hn::IfThenElse(falls, s, left);
+      right = hn::IfThenElse(falls, right, s);
       const V newton = hn::Div(hn::Neg(k.pq), k.qq);
-      const M between = hn::And(hn::Lt(bracket.left, newton), hn::Lt(newton, bracket.right));
-      s = hn::IfThenElse(between, newton, bracket.root());
+      const M between = hn::And(hn::Lt(left, newton), hn::Lt(newton, right));
+      s = hn::IfThenElse(between, newton, hn::Mul(hn::Add(left, right), number(F(0.5))));
     }
   }
-
-  /// D' < 0 at left and >= 0 at right, which are within [0, 1].
-  struct Bracket {
-    V left, right, slope_left, slope_right;
-
-    /// Where D' were 0, had it no kinks between them. Not beyond 1: what is less than 1 + u is rounded to 1.
-    HWY_INLINE V root() const {
-      const V share = hn::Div(slope_left, hn::Sub(slope_left, slope_right));
-      return hn::Add(left, hn::Mul(share, hn::Sub(right, left)));
-    }
-
-    HWY_INLINE void narrow(V s, V slope) {
-      const M falls = hn::Lt(slope, hn::Zero(D()));
-      left = hn::IfThenElse(falls, s, left);
-      slope_left = hn::IfThenElse(falls, slope, slope_left);
-      right = hn::IfThenElse(falls, right, s);
-      slope_right = hn::IfThenElse(falls, slope_right, slope);
-    }
-  };
 
   /// The sides beyond which the centre lies at a computed s, the sums over them, and about D(s).
   struct Active {

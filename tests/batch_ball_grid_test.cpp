@@ -157,8 +157,9 @@ TYPED_TEST(BatchBallGrid, LeavesOtherBallsAlone) {
             x += grid.g * F(grid.size) * std::ldexp(F(1), random.integer(2, 12));
             if (random.chance(0.8)) {
               const fast::Shaft<F> shaft = fast::form_shaft(batch.a, batch.b, fast::Normals::as_formed);
+              const double g = static_cast<double>(grid.g);
               const double radius = touching_radius(shaft, batch.view()[i].centre);
-              batch.c[3][i] = fuzz::step_ulps(static_cast<F>(radius), random.integer(-1, 1));
+              batch.c[3][i] = static_cast<F>(random.chance(0.8) ? g * std::round(radius / g) : radius);
             }
         }
         batch.c[3][i] = std::fabs(batch.c[3][i]);

@@ -5,6 +5,7 @@
     tests/mutants.py --all       every mutant (about a quarter of an hour)
     tests/mutants.py --subset    the ones that CI runs
     tests/mutants.py --only ID   one, with the tests' output
+    tests/mutants.py --family batch     those whose ID starts so
     tests/mutants.py --list
 
 Needs the release preset to be built. The tree is left alone: each mutant is a copy of the fast/ folder, compiled and
@@ -86,8 +87,11 @@ def run(mutant, link, show=False):
         shutil.copytree(ROOT / "fast", work / "fast")
         target = work / mutant.file
         target.write_text(apply(mutant, target.read_text()))
-        is_header = mutant.file.endswith(".h")
-        sources = sorted((work / "fast").glob("*.cpp")) if is_header else [target]
+        is_header, is_build_file = mutant.file.endswith(".h"), target.name == "CMakeLists.txt"
+        sources = sorted((work / "fast").glob("*.cpp")) if is_header or is_build_file else [target]
+        # The library's own options, as the mutant has them (its definitions are for sanitizers).
+        options = re.findall(r"^target_compile_options\(gnomon_fast PUBLIC ([^)]*)\)",
+                             (work / "fast" / "CMakeLists.txt").read_text(), re.MULTILINE)
         if is_header:
             name = pathlib.Path(mutant.file).name
             users = {name}
@@ -101,8 +105,8 @@ def run(mutant, link, show=False):
         objects = []
         for source in sources:
             objects.append(str(source.with_suffix(".o")))
-            built = subprocess.run(["c++", "-std=c++20", "-O2", "-ffp-contract=off", "-w", f"-I{work}", f"-I{ROOT}",
-                                    "-c", str(source), "-o", objects[-1]], capture_output=True, text=True)
+            built = subprocess.run(["c++", "-std=c++20", "-O2", *" ".join(options).split(), "-w", f"-I{work}",
+                                    f"-I{ROOT}", "-c", str(source), "-o", objects[-1]], capture_output=True, text=True)
             if built.returncode != 0:
                 return mutant, "does not compile: " + built.stderr.splitlines()[0], time.time() - started
         words = list(link)
@@ -130,6 +134,7 @@ def main():
     what.add_argument("--all", action="store_true")
     what.add_argument("--subset", action="store_true")
     what.add_argument("--only", metavar="ID")
+    what.add_argument("--family", metavar="START")
     what.add_argument("--list", action="store_true")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     options = parser.parse_args()
@@ -140,6 +145,8 @@ def main():
         return 0
     if options.subset:
         mutants = [m for m in mutants if "subset" in m.tags]
+    if options.family:
+        mutants = [m for m in mutants if m.id.startswith(options.family)]
     if options.only:
         mutants = [m for m in mutants if m.id == options.only]
     if not mutants:

@@ -173,7 +173,15 @@ Row ball_row(Data data, std::size_t count, bool outside_only) {
   return row;
 }
 
-void print_row(const std::string& title, const Row& row, int rounds) {
+/// "value [low, high]"
+std::string text_of(const Median& median) {
+  char text[80];
+  std::snprintf(text, sizeof text, "%.3f [%.3f, %.3f]", median.value, median.low, median.high);
+  return text;
+}
+
+/// Prints the row, and says how fast exact-f32 is next to naive-f32.
+Median print_row(const std::string& title, const Row& row, int rounds) {
   // Slices of about 0.1 ms, of which the fastest counts: what else the machine does comes in longer pieces.
   const int repeats = static_cast<int>(std::max<std::size_t>(1, 100000 / row.count));
   const int slices = row.count > 1000000 ? 1 : 12;
@@ -187,11 +195,12 @@ void print_row(const std::string& title, const Row& row, int rounds) {
     const Median to_naive = ratio_of(seconds[i < half ? 1 : half + 1], seconds[i]);
     const Median to_naive32 = ratio_of(seconds[1], seconds[i]);
     const Median to_read = ratio_of(seconds[i < half ? 0 : half], seconds[i]);
-    std::printf("  %-14s %7.0f M/s   of naive %.3f [%.3f, %.3f]   of naive-f32 %.3f   of the read %.3f\n",
+    std::printf("  %-14s %7.0f M/s   of naive %s   of naive-f32 %s   of the read %s\n",
                 row.contenders[i].name.c_str(), static_cast<double>(row.count) / taken.value * 1e-6,
-                to_naive.value, to_naive.low, to_naive.high, to_naive32.value, to_read.value);
+                text_of(to_naive).c_str(), text_of(to_naive32).c_str(), text_of(to_read).c_str());
   }
   std::fflush(stdout);
+  return ratio_of(seconds[1], seconds[3]);
 }
 
 constexpr std::size_t kInL1 = 1000, kInL2 = 40000, kInMemory = 10000000;
@@ -207,20 +216,25 @@ int print_table(const TableOptions& options) {
   std::printf(
       "batch kernels on %s, %d paired rounds; \"of\" is a ratio of speeds, [95 %% interval of the median]\n",
       fast::batch_instruction_set(), options.rounds);
+  std::string summary;
+  const auto add_row = [&](const std::string& title, const Row& row) {
+    const Median exact = print_row(title, row, options.rounds);
+    char line[160];
+    std::snprintf(line, sizeof line, "  %-40s N = %8zu   %s\n", title.c_str(), row.count,
+                  text_of(exact).c_str());
+    summary += line;
+  };
   for (const std::size_t count : {kInL1, kInL2, kInMemory}) {
     if (count > options.most) continue;
     for (const Data data : kAllData) {
       if (options.boxes) {
-        print_row("boxes, three-way, " + name_of(data), box_row(data, count, false), options.rounds);
-        if (count == kInL1) {
-          print_row("boxes, outside only, " + name_of(data), box_row(data, count, true), options.rounds);
-        }
+        add_row("boxes, three-way, " + name_of(data), box_row(data, count, false));
+        if (count == kInL1) add_row("boxes, outside only, " + name_of(data), box_row(data, count, true));
       }
-      if (options.balls) {
-        print_row("balls, three-way, " + name_of(data), ball_row(data, count, false), options.rounds);
-      }
+      if (options.balls) add_row("balls, three-way, " + name_of(data), ball_row(data, count, false));
     }
   }
+  std::printf("exact-f32 of naive-f32:\n%s", summary.c_str());
   return 0;
 }
 
