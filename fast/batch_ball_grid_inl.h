@@ -6,9 +6,9 @@
 // 2^(2m-1) g, its extent box is at most 2^(m-2) g wide; the centre is within 2^m g of every side (checked).
 // Hence differences of coordinates are multiples of g up to 2^m g, their products of g^2 up to 2^2m g^2, and
 // three of those still fit into the digits of F: every difference, product of two differences, and sum of up
-// to three such products is exact. Products of them have exact errors (sign_of_products). So is r^2 up to 3
-// 2^2m g^2; a larger one is not computed as less than that, and then 3. is right to say "meets". Only s is
-// rounded, and nothing depends on it but which sides are tried.
+// to three such products is exact, and products of them have exact errors (sign_of_products). So is r^2 up to
+// 3 2^2m g^2; a larger one is not computed as less than that, and then 3. is right to say "meets". Only s is
+// rounded, and the t_k in 4. that say so.
 //
 // The centre lies beyond side k at s by t_k = p_k + q_k s, and beyond side k of the extent box by x_k = p_k +
 // min(q_k, 0). D(s) = sum of max(t_k, 0)^2, over all real s convex with a continuous slope; at most one side
@@ -18,13 +18,11 @@
 //    those sides behind the centre, so D(s) consists of the sides that don't move, D(s) = E: decided by 1.
 // 3. D(0) <= r^2 or D(1) <= r^2: meets. Else D'(0) >= 0 or D'(1) <= 0: outside, as D is convex.
 // 4. Else D'(0) < 0 < D'(1), and the least D is at some s in (0, 1).
-//    - Meets: D(s) < r^2 for some s, in floating point: t_k is computed with an error of at most u |t_k| + u
-//    |q_k|,
-//      so the root of D is at most (1 + 4 u) that of its computed value and sqrt(3) u 2^(m-2) g more. As r is
-//      0 or at least g, a value below (1 - 2^-12) r^2 proves D(s) < r^2: 2^-13 > 4 u + sqrt(3) u 2^(m-2).
-//    - Let K be a set of sides, one an axis at most, and P, Q, R the sums over K of p^2, p q and q^2. If R >
-//    0,
-//      and t_k >= 0 on K and t_k <= 0 off K at s = -Q / R, then D'(s) = 0 and D(s) = P - Q^2 / R: it is the
+//    - Meets: D(s) < r^2 for some s, in floating point: the error of t_k is at most u |t_k| + u |q_k|, so the
+//      root of D is at most (1 + 4 u) that of its computed value, and sqrt(3) u 2^(m-2) g. As r is 0 or at
+//      least g, a value below (1 - 2^-12) r^2 proves D(s) < r^2: 2^-13 > 4 u + sqrt(3) u 2^(m-2).
+//    - Let K be sides, one an axis at most, and P, Q, R the sums over K of p^2, p q and q^2. If R > 0, and
+//      t_k >= 0 on K and t_k <= 0 off K at s = -Q / R, then D'(s) = 0 and D(s) = P - Q^2 / R: it is the
 //      least, and compares with r^2 as (P - r^2) R does with Q^2. The sign of t_k is that of p_k R - q_k Q.
 //    K is taken where Newton's method leads (and bisection where that would leave the bracket), and the lane
 //    is left open when it has not found the right one.
@@ -161,7 +159,7 @@ class BallGridStage {
     M meets, outside;
   };
 
-  /// Tries of Newton's method: half a percent of what the first stage leaves open on a grid of 8 takes more.
+  /// Tries of Newton's method: measured, next to nothing on a grid of 8 takes more.
   static constexpr int kRounds = 6;
   static constexpr F kClearly = F(1 - 0x1p-12);
 

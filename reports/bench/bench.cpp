@@ -186,7 +186,7 @@ Median print_row(const std::string& title, const Row& row, int rounds) {
   const int repeats = static_cast<int>(std::max<std::size_t>(1, 100000 / row.count));
   const int slices = row.count > 1000000 ? 1 : 12;
   const auto seconds = time_paired(row.contenders, rounds, slices, repeats);
-  std::printf("%s, N = %zu: outside %.3f, second stage %.2g (on a grid %.2g), predicate %.2g\n",
+  std::printf("%s, N = %zu: outside %.3f, second stage %.3g (on a grid %.3g), predicate %.2g\n",
               title.c_str(), row.count, row.outside, row.second_stage, row.on_grid, row.predicate);
   const std::size_t half = row.contenders.size() / 2;
   for (std::size_t i = 0; i < seconds.size(); ++i) {
