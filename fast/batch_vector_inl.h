@@ -241,22 +241,24 @@ HWY_INLINE BatchCounters run_with_stages(const Kernel& kernel, const std::array<
   };
   // Moves what the grid leaves open to the front.
   const auto resolve_on_grid = [&]<bool kThreeWay, Effort kEffort>() {
-    const std::size_t lanes = hn::Lanes(hn::ScalableTag<F>());
-    items.pad(lanes);
-    std::size_t left = 0;
-    for (std::size_t first = 0; first < items.count; first += lanes) {
-      const std::size_t many = std::min(lanes, items.count - first);
-      const BatchWord answers = kernel.template resolve_on_grid<kThreeWay, kEffort>(items.at(first).data());
-      for (std::size_t i = 0; i < many; ++i) {
-        if (HWY_UNLIKELY((answers.open >> i & 1) != 0)) {
-          items.move(first + i, left++);
-        } else {
-          out.set(items.index[first + i], category_of(answers, i));
+    if constexpr (Kernel::kHasGrid) {  // here, as clang 14 looks into lambdas that are never called
+      const std::size_t lanes = hn::Lanes(hn::ScalableTag<F>());
+      items.pad(lanes);
+      std::size_t left = 0;
+      for (std::size_t first = 0; first < items.count; first += lanes) {
+        const std::size_t many = std::min(lanes, items.count - first);
+        const BatchWord answers = kernel.template resolve_on_grid<kThreeWay, kEffort>(items.at(first).data());
+        for (std::size_t i = 0; i < many; ++i) {
+          if (HWY_UNLIKELY((answers.open >> i & 1) != 0)) {
+            items.move(first + i, left++);
+          } else {
+            out.set(items.index[first + i], category_of(answers, i));
+          }
         }
       }
+      counters.on_grid += items.count - left;
+      items.count = left;
     }
-    counters.on_grid += items.count - left;
-    items.count = left;
   };
   const auto resolve_all = [&]<bool kThreeWay>() {
     counters.second_stage += items.count;

@@ -164,7 +164,8 @@ RowsByKey rows_of(const std::filesystem::path& path, const ResultFile& file) {
 bool Comparison::regressed() const {
   return std::any_of(errors.begin(), errors.end(),
                      [](const ErrorChange& e) { return e.change == Change::worse; }) ||
-         std::any_of(speeds.begin(), speeds.end(), [](const SpeedChange& s) { return s.above_limit; });
+         std::any_of(speeds.begin(), speeds.end(), [](const SpeedChange& s) { return s.above_limit; }) ||
+         (same_command && !only_old.empty());
 }
 
 Comparison compare_results(const std::filesystem::path& before, const std::filesystem::path& after,
@@ -177,6 +178,7 @@ Comparison compare_results(const std::filesystem::path& before, const std::files
   comparison.old_name = before.string();
   comparison.new_name = after.string();
   comparison.command = new_file.command;
+  comparison.same_command = !new_file.command.empty() && new_file.command == old_file.command;
   std::vector<double> reference_ratios;
   for (const ResultRow& now : new_file.rows) {
     const auto known = old_rows.find(key_of(now));

@@ -44,6 +44,8 @@ struct Comparison {
   std::vector<SpeedChange> speeds;        ///< slowest first
   std::optional<double> reference_ratio;  ///< median of the exact reference's new / old time
   std::vector<std::string> only_old, only_new;
+  /// The same command gave both: a row that is only in the old result is lost, not left out on purpose.
+  bool same_command = false;
   /// What differs between the places where the two were measured: name, then "old -> new".
   std::vector<std::pair<std::string, std::string>> environment;
 
@@ -52,9 +54,10 @@ struct Comparison {
 
 /// Compares two results of `gnomon fuzz`, row by row (question, method, distribution, scalar). Worse is: a
 /// promise newly broken; more of unsound, false_culls, false_insides or unsound_touching in any row; more
-/// waste, undecided or rejected in a certified or exact one. Throws scene::InputError naming the file and
-/// what was expected when one is no result file, when seeds or shards differ, when no row is in both, and
-/// when a row in both has other trials or other cases (seen by their exact answers).
+/// waste, undecided or rejected in a certified or exact one; a row that the same command no longer gives.
+/// Throws scene::InputError naming the file and what was expected when one is no result file, when seeds or
+/// shards differ, when no row is in both, and when a row in both has other trials or other cases (seen by
+/// their exact answers).
 [[nodiscard]] Comparison compare_results(const std::filesystem::path& before,
                                          const std::filesystem::path& after, const CompareOptions& options);
 

@@ -96,6 +96,10 @@ std::string comparison_text(const Comparison& comparison, const CompareOptions& 
   if (!comparison.only_old.empty() || !comparison.only_new.empty()) {
     text +=
         "\nNot compared:\n" + list_text("old", comparison.only_old) + list_text("new", comparison.only_new);
+    if (comparison.same_command && !comparison.only_old.empty()) {
+      text += fmt::format("  lost: the same command gave {} more row{}\n", comparison.only_old.size(),
+                          comparison.only_old.size() == 1 ? "" : "s");
+    }
   }
   text += speeds_text(comparison, options);
   text += comparison.regressed() ? "\nREGRESSED\n" : "\nNo regression\n";
@@ -136,6 +140,7 @@ std::string comparison_json(const Comparison& comparison, const CompareOptions& 
   json["reference_ratio"] = comparison.reference_ratio ? Json(*comparison.reference_ratio) : Json(nullptr);
   json["only_old"] = comparison.only_old;
   json["only_new"] = comparison.only_new;
+  json["same_command"] = comparison.same_command;
   json["environment"] = Json::object();
   for (const auto& [name, values] : comparison.environment) json["environment"][name] = values;
   return json.dump(1) + "\n";

@@ -206,6 +206,7 @@ std::string untimed_note(const QuestionData& question) {
 
 constexpr const char* kKey = R"(<p class="key"><span class="t-trivial">●</span> trivial
 <span class="t-naive">●</span> naive <span class="t-certified">●</span> certified <span class="t-exact">●</span> exact
+<span class="t-plug-in">●</span> plug-in
 <span class="gap"></span> ● f32 &ensp;■ f64 &ensp;◆ other
 <span class="gap"></span> <b>○↓</b> no error seen: drawn at the 95 % upper bound, the truth lies below
 <span class="gap"></span> <b>│</b> 95 % interval</p>
@@ -246,7 +247,8 @@ std::string plot_section(std::span<const ResultFile> files) {
   out +=
       "<p>Down and to the left is better. Both axes are logarithmic; dashed is the exact reference on the "
       "same cases. "
-      "Times over several distributions are medians, since a few of these cost far more than the rest.</p>\n";
+      "Times over several distributions are medians, since a few of these cost far more than the rest. They "
+      "include the set-up of the shaft; of a distribution with @K, a K-th of it.</p>\n";
   out += kKey;
   out += "<div id=\"plot-controls\" hidden></div>\n<div id=\"plot-live\" class=\"panels\" hidden></div>\n" +
          figures;

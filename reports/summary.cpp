@@ -55,7 +55,7 @@ Counts count(const Summary& s) {
 }
 
 int tier_rank(const std::string& tier) {
-  constexpr std::array kOrder = {"trivial", "naive", "certified", "exact"};
+  constexpr std::array kOrder = {"trivial", "naive", "certified", "exact", "plug-in"};
   const auto it = std::find(kOrder.begin(), kOrder.end(), tier);
   return static_cast<int>(it - kOrder.begin());
 }

@@ -61,8 +61,8 @@ void add_result_verbs(CLI::App& app, std::function<int()>& run) {
   compare->footer(
       "Exit status: 1 when a promise is newly broken, unsound answers are more, or a certified or exact row "
       "wastes,\n"
-      "leaves open or rejects more. Cases are the same, so every change of a count is a change of the "
-      "method.\n"
+      "leaves open or rejects more, or the same command no longer gives a row. Cases are the same, so every\n"
+      "change of a count is a change of the method.\n"
       "Examples:\n"
       "  gnomon compare before/shaft-box-1.json after/shaft-box-1.json\n"
       "  gnomon compare old.json new.json --speed-limit 1.2 --json comparison.json");

@@ -178,6 +178,7 @@ TEST_F(Compare, SaysWhatItCouldNotCompare) {
     json["rows"].erase(0);
     row(json, "exact")["method"] = "exact-2";
     json["measured"]["environment"]["cpu"] = "another one";
+    json["command"] = json["command"].get<std::string>() + " --method exact-2";
   });
   EXPECT_FALSE(fewer.regressed());
   EXPECT_EQ(fewer.only_old.size(), 2u);
@@ -187,6 +188,22 @@ TEST_F(Compare, SaysWhatItCouldNotCompare) {
   EXPECT_TRUE(has(text, "only in new: shaft-box exact-2 near-touch f32")) << text;
   EXPECT_TRUE(has(text, "only in old: shaft-box exact near-touch f32")) << text;
   EXPECT_TRUE(has(text, "not measured alike: cpu: ")) << text;
+}
+
+TEST_F(Compare, CallsARowThatTheSameCommandLostWorse) {
+  const Comparison lost = compared([](OrderedJson& json) { json["rows"].erase(0); });
+  EXPECT_TRUE(lost.errors.empty());
+  EXPECT_EQ(lost.only_old.size(), 1u);
+  EXPECT_TRUE(lost.regressed());
+  EXPECT_TRUE(has(comparison_text(lost, {}), "lost: the same command gave 1 more row\n"));
+  // More rows than before are none the worse.
+  const Comparison more = compared([](OrderedJson& json) {
+    OrderedJson added = json["rows"][0];
+    added["method"] = "added";
+    json["rows"].push_back(added);
+  });
+  EXPECT_TRUE(more.same_command);
+  EXPECT_FALSE(more.regressed());
 }
 
 TEST_F(Compare, RefusesOtherWorkloads) {

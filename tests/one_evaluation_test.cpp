@@ -45,8 +45,9 @@ TEST(OneEvaluation, AddingTheDiameterSaysInsideOfABallThatSticksOut) {
   EXPECT_TRUE(inside_by_difference(in_floats));
 }
 
-/// Comparing the value itself with both bounds is never the worse, and the difference often is.
-TEST(OneEvaluation, TheDifferenceErrsWhereTheValueDoesNot) {
+/// Near the boundary both ways of comparing err, each where the other is right: a hundred thousand cases
+/// count 69 for the difference, 44 for the value.
+TEST(OneEvaluation, TheDifferenceAndTheValueErrInDifferentCases) {
   int only_difference_errs = 0, only_value_errs = 0;
   const auto generator =
       fuzz::make_generator<scene::ShaftBallCase>(fuzz::parse_distribution("near-touch"), scene::Scalar::f32);
@@ -59,12 +60,13 @@ TEST(OneEvaluation, TheDifferenceErrsWhereTheValueDoesNot) {
     if (by_value == by_difference) continue;
     const bool inside = exact::classify(c) == Category::inside;
     ++(inside == by_value ? only_difference_errs : only_value_errs);
-    if (only_difference_errs < 4 && inside == by_value && !inside) {
-      RecordProperty("witness", static_cast<int>(trial));
-    }
   }
-  EXPECT_GT(only_difference_errs, only_value_errs);
-  EXPECT_GT(only_difference_errs, 10);
+  EXPECT_GE(only_difference_errs, affordable(24));
+  EXPECT_GE(only_value_errs, affordable(24));
+  if (!kSanitized) {  // the very cases, so the very counts
+    EXPECT_EQ(only_difference_errs, 69);
+    EXPECT_EQ(only_value_errs, 44);
+  }
 }
 
 }  // namespace

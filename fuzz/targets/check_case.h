@@ -92,7 +92,7 @@ class CaseCheck {
 
   /// The trial loop itself, on a block of this one case.
   void promises(const Method<Q>& method) const {
-    static TrialBlock<Q> singles(0, 0, scene::Scalar::f32, 1), doubles(0, 0, scene::Scalar::f64, 1);
+    static TrialBlock<Q> singles(0, 0, 1, scene::Scalar::f32, 1), doubles(0, 0, 1, scene::Scalar::f64, 1);
     TrialBlock<Q>& block = scalar_ == scene::Scalar::f32 ? singles : doubles;
     block.fill(Same(case_), 0, 1);
     Tally tally;

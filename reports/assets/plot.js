@@ -35,7 +35,7 @@
   }
 
   function spec(panel, view, labels) {
-    var tiers = ["trivial", "naive", "certified", "exact"];
+    var tiers = ["trivial", "naive", "certified", "exact", "plug-in"];
     var x = { scale: "x", field: "x" }, y = { scale: "y", field: "y" }, tint = { scale: "tint", field: "t" };
     var fade = { signal: "focus && focus !== datum.m ? 0.18 : 1" };
     var hover = { signal: "describe(datum)" };
