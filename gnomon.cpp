@@ -266,9 +266,11 @@ std::optional<std::string> unknown_verb(const CLI::App& app, int argc, char** ar
 void add_fuzz(CLI::App& app, FuzzArguments& arguments, std::function<int()>& run) {
   CLI::App* verb = app.add_subcommand("fuzz", "Run a campaign: methods against the exact references");
   verb->add_option("question", arguments.question, "shaft-box or shaft-sphere")->required();
-  verb->add_option("--method", arguments.options.methods, "a method (repeatable); all without it");
-  verb->add_option("--distribution", arguments.options.distributions,
-                   "NAME or NAME:ARG, with @K for K cases a shaft (repeatable); all that need no argument without it");
+  verb->add_option("--method", arguments.options.methods,
+                   "a method (repeatable); all without it, batch rows only with distributions @K");
+  verb->add_option(
+      "--distribution", arguments.options.distributions,
+      "NAME or NAME:ARG, with @K for K cases a shaft (repeatable); all that need no argument without it");
   verb->add_option("--scalar", arguments.scalar, "f32 or f64 cases for all methods; without it each its own");
   verb->add_option("--trials", arguments.options.trials,
                    "trials a row (question, method, distribution, scalar)")

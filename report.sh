@@ -19,7 +19,7 @@ status=0
 "$gnomon" fuzz shaft-sphere --trials $((trials / 4 > 0 ? trials / 4 : 1)) --out build/report | tail -n 1 || status=$?
 # Renderers ask each shaft about many boxes: the batch rows beside the others, with set-up shared.
 "$gnomon" fuzz shaft-box --trials "$trials" --seed 2 --out build/report --distribution uniform@64 \
-    --distribution integer-grid@64 --distribution near-touch@64 | tail -n 1 || status=$?
+    --distribution offset@64 --distribution integer-grid@64 --distribution near-touch@64 | tail -n 1 || status=$?
 "$gnomon" report build/report -o build/report/index.html
 echo "report: $PWD/build/report/index.html"
 [ "$status" -eq 0 ] || echo "a promise was broken: see the report" >&2

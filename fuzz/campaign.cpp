@@ -48,6 +48,7 @@ std::vector<Batch<Q>> plan(const CampaignOptions& options) {
       if (options.scalar && *options.scalar != scalar) continue;
       Batch<Q> batch{choice, scalar, {}};
       for (const Method<Q>* method : chosen) {
+        if (options.methods.empty() && method->in_batches && choice.per_shaft == 1) continue;
         if (options.scalar || method->has(scalar)) batch.methods.push_back(method);
       }
       if (!batch.methods.empty()) batches.push_back(std::move(batch));

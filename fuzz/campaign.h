@@ -22,7 +22,7 @@ struct CampaignOptions {
   unsigned jobs = 1;                       ///< threads; results do not depend on it
   unsigned shard = 1, shards = 1;          ///< this run takes the shard-th of `shards` parts of the trials
   std::optional<scene::Scalar> scalar;     ///< of the cases; without it every method gets cases of its own
-  std::vector<std::string> methods;        ///< empty: all
+  std::vector<std::string> methods;        ///< empty: all; batch rows only where shafts are shared
   std::vector<std::string> distributions;  ///< empty: all that need no argument
   unsigned witnesses_per_row = 1;          ///< how many disagreements of each fault are shrunk; 0: none
   const Plugins* plugins = nullptr;        ///< whose methods are rows, too

@@ -88,6 +88,8 @@ struct Method {
   /// wasted.
   StatedGap<float> stated_gap_f32 = nullptr;
   StatedGap<double> stated_gap_f64 = nullptr;
+  /// Made for many cases a shaft: without --method, asked only about distributions with @K.
+  bool in_batches = false;
 
   /// Does the method have a form in this precision?
   [[nodiscard]] bool has(scene::Scalar scalar) const {

@@ -114,15 +114,17 @@ const Row kRows[] = {
     {"exact", "exact", Promise::always_agrees, Twin::truth, "all finite numbers",
      "certified, what its band leaves open by exact predicate", exact_tier<float>, exact_tier<double>},
     {"batch-naive-f32", "naive", Promise::none, Twin::planes, kAllFloats,
-     "naive-f32 in vector registers; ask about many boxes a shaft, as uniform@64", batch<float, Tier::naive>},
+     "naive-f32 in vector registers, for many boxes a shaft: uniform@64", batch<float, Tier::naive>, nullptr,
+     nullptr, nullptr, true},
     {"batch-certified-f32", "certified", Promise::never_unsound, Twin::planes, kAllFloats,
-     "certified-f32 in vector registers", batch<float, Tier::certified>, nullptr, stated_gap<float>},
+     "certified-f32 in vector registers", batch<float, Tier::certified>, nullptr, stated_gap<float>, nullptr,
+     true},
     {"batch-certified-f64", "certified", Promise::never_unsound, Twin::planes, kAllDoubles,
      "certified-f64 in vector registers", nullptr, batch<double, Tier::certified>, nullptr,
-     stated_gap<double>},
+     stated_gap<double>, true},
     {"batch-exact", "exact", Promise::always_agrees, Twin::truth, "all finite numbers",
      "float filter, error-free doubles, exact predicate; the first two in vector registers",
-     batch<float, Tier::exact>, batch<double, Tier::exact>},
+     batch<float, Tier::exact>, batch<double, Tier::exact>, nullptr, nullptr, true},
 };
 
 }  // namespace

@@ -137,6 +137,21 @@ TYPED_TEST(SharedShafts, BatchRowsCountWhatTheOthersCount) {
   EXPECT_GT(unsound, 0u) << "rows that never differ from the truth can't be told apart";
 }
 
+TYPED_TEST(SharedShafts, BatchRowsAreLeftOutWhereNothingIsSharedUnlessNamed) {
+  using Q = TypeParam;
+  CampaignOptions options;
+  options.trials = 64;
+  options.distributions = {"uniform", "uniform@8"};
+  std::map<std::string, std::size_t> batches;
+  for (const RowResult& row : run_campaign<Q>(options).rows) {
+    batches[row.distribution] += row.method.starts_with("batch-") ? 1 : 0;
+  }
+  EXPECT_EQ(batches["uniform"], 0u);
+  EXPECT_EQ(batches["uniform@8"], 5u);  // the exact one in both scalars
+  options.methods = {"batch-exact"};
+  EXPECT_EQ(run_campaign<Q>(options).rows.size(), 4u);
+}
+
 // Runs end where either box changes, and where the arrays are full.
 TEST(BatchRuns, AreCutWhereTheShaftChanges) {
   using Row = Method<ShaftBoxQuestion>;
