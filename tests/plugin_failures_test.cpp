@@ -258,7 +258,7 @@ TEST(PluginProcess, KilledInMidCampaignTakesNothingWithIt) {
                    "--witnesses",
                    "0",
                    "--plugin-timeout",
-                   "1",
+                   "30",
                    "--method",
                    "normalised-f32",
                    "--method",

@@ -189,6 +189,32 @@ TYPED_TEST(ProofsConstants, BallThresholdsAreComputedAsProved) {
 }
 
 /// RoundingModel.v's formats are the machine's.
+/// Overflow.v: largest_safe, a power of two; the code takes the largest number below it.
+TYPED_TEST(ProofsConstants, PlanesDecideUpToTheProvedSize) {
+  using F = TypeParam;
+  std::ifstream file(GNOMON_SOURCE_DIR "/proofs/Overflow.v");
+  const std::regex definition(R"(^Definition largest_safe : R := bpow radix2 \(emax - ([0-9]+)\)\.$)");
+  std::smatch match;
+  std::string line;
+  while (std::getline(file, line) && !std::regex_match(line, match, definition)) continue;
+  ASSERT_FALSE(match.empty()) << "no theorem is about largest_safe";
+  const F power = std::scalbn(F(1), std::numeric_limits<F>::max_exponent - std::stoi(match[1]));
+  const F largest = std::nextafter(power, F(0));
+  // Two points a diagonal apart: the sum of both planes is 2 x y, exactly.
+  const F x = std::scalbn(F(1), std::numeric_limits<F>::max_exponent / 2), y = largest / 2 / x;
+  const Box<F> origin{};
+  EXPECT_EQ(fast::form_certified_ball_shaft(origin, origin).slack.largest_radius, largest);
+  for (const bool safe : {true, false}) {
+    const F side = safe ? y : std::nextafter(y, x);
+    Shaft<F> shaft = fast::form_certified_box_shaft(origin, Box<F>{{x, side, 0, x, side, 0}});
+    ASSERT_EQ(shaft.plane_count, 2u);
+    for (const ShaftPlane<F>& plane : shaft.planes()) {
+      EXPECT_EQ(std::isfinite(plane.outside_threshold), safe);
+      EXPECT_EQ(std::isfinite(plane.inside_threshold), safe);
+    }
+  }
+}
+
 TEST(ProofsConstants, FormatsAreTheMachines) {
   std::ifstream file(GNOMON_SOURCE_DIR "/proofs/RoundingModel.v");
   const std::string text(std::istreambuf_iterator<char>(file), {});
