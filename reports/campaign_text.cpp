@@ -84,6 +84,7 @@ nlohmann::ordered_json methods_json(const fuzz::Plugins* plugins) {
                    {"promise", name_of(method.promise)},
                    {"scalars", scalars},
                    {"domain", method.domain},
+                   {"in_batches", method.in_batches},
                    {"summary", method.summary}});
   }
   return {{"id", Q::id}, {"answers", Q::answers}, {"methods", all}};
@@ -117,7 +118,8 @@ std::string list_text(const fuzz::Plugins* plugins) {
   text +=
       methods_text<fuzz::ShaftBoxQuestion>(plugins) + "\n" + methods_text<fuzz::ShaftBallQuestion>(plugins);
   text +=
-      "\nDistributions (NAME or NAME:ARG, @K for K cases a shaft; at least these shares outside/overlap/inside, of "
+      "\nDistributions (NAME or NAME:ARG, @K for K cases a shaft; at least these shares "
+      "outside/overlap/inside, of "
       "boxes and of balls):\n\n";
   for (const fuzz::Distribution& distribution : fuzz::distributions()) {
     const fuzz::TruthMix& box = distribution.least_mix;

@@ -29,7 +29,8 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build" / "release"
 # Tests that say nothing about fast/, or run the unmutated binary.
-LEFT_OUT = "Cli*:*Mesh*:*Report*:*Picture*:*Html*:*BoundingHierarchy*:*Corpus*:*FloatText*:*AtomicFile*:*Random*"
+LEFT_OUT = ("CommandLine*:BadInput*:*Plugin*:*Mesh*:Read*:*Report*:*Picture*:*Html*:*BoundingHierarchy*:*Corpus*:*FloatText*:"
+            "*AtomicFile*:*Random*:Ledger*:Merge*:Compare*:ShardSet*")
 SECONDS = 240
 
 
