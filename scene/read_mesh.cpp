@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "scene/read_mesh.h"
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <string>
-#include <system_error>
 
 #include "scene/input_error.h"
 #include "scene/line_reader.h"
+#include "scene/open_input.h"
 #include "scene/tokens.h"
 
 namespace gnomon::scene {
@@ -23,18 +24,18 @@ constexpr std::array<Format, 4> kFormats{
 
 }  // namespace
 
+bool has_mesh_extension(const std::filesystem::path& path) {
+  return std::ranges::any_of(kFormats, [extension = path.extension().string()](const Format& format) {
+    return equals_ignoring_case(extension, format.extension);
+  });
+}
+
 Mesh read_mesh(const std::filesystem::path& path) {
   const std::string name = path.string();
   const std::string extension = path.extension().string();
   for (const Format& format : kFormats) {
     if (!equals_ignoring_case(extension, format.extension)) continue;
-    std::error_code error;
-    const std::filesystem::file_status status = std::filesystem::status(path, error);
-    if (!std::filesystem::exists(status)) throw InputError(name, 0, "expected a file, found none");
-    if (std::filesystem::is_directory(status))
-      throw InputError(name, 0, "expected a file, found a directory");
-    std::ifstream in(path, std::ios::binary);
-    if (!in) throw InputError(name, 0, "expected a readable file, found one that can't be opened");
+    std::ifstream in = open_input(path);
     return format.read(in, name);
   }
   throw InputError(name, 0,

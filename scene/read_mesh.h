@@ -21,6 +21,9 @@ namespace gnomon::scene {
 /// claims.
 [[nodiscard]] Mesh read_mesh(const std::filesystem::path& path);
 
+/// True when the path ends in one of read_mesh()'s extensions, in any case.
+[[nodiscard]] bool has_mesh_extension(const std::filesystem::path& path);
+
 /// Text OFF with at most one vertex or face a line: OFF, and with N, C, ST before it (normals, colours,
 /// texture coordinates; up to 9 extra numbers after x y z and up to 4 after a face are read and dropped,
 /// under plain OFF too).

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "scene/write_nff.h"
+
+#include <array>
+#include <stdexcept>
+#include <string_view>
+
+#include "scene/float_text.h"
+
+namespace gnomon::scene {
+namespace {
+
+void append_numbers(std::string& text, const std::array<double, 3>& numbers) {
+  for (const double number : numbers) text.append(" ").append(decimal_text(number));
+}
+
+void append_view(std::string& text, const View& view) {
+  text += "v\nfrom";
+  append_numbers(text, view.from);
+  text += "\nat";
+  append_numbers(text, view.at);
+  text += "\nup";
+  append_numbers(text, view.up);
+  text += "\nangle " + decimal_text(view.angle) + "\nhither " + decimal_text(view.hither) + "\nresolution " +
+          std::to_string(view.columns) + " " + std::to_string(view.rows) + "\n";
+}
+
+/// A comment must stay on its line.
+std::string printable(std::string_view name) {
+  std::string text(name);
+  for (char& c : text) {
+    if (c < 0x20 || c > 0x7e) c = '?';
+  }
+  return text;
+}
+
+void append_object(std::string& text, const Scene& scene, const Object& object) {
+  text += "# " + printable(object.name) + "\nf 1 1 1 1 0 0 " + decimal_text(object.transmittance) + " 1\n";
+  for (std::size_t t = object.first_triangle; t < object.first_triangle + object.triangle_count; ++t) {
+    text += "p 3\n";
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::array<double, 3>& p = scene.corner(t, k);
+      text += decimal_text(p[0]) + " " + decimal_text(p[1]) + " " + decimal_text(p[2]) + "\n";
+    }
+  }
+  for (std::size_t b = object.first_ball; b < object.first_ball + object.ball_count; ++b) {
+    text += "s";
+    append_numbers(text, scene.balls[b].centre);
+    text += " " + decimal_text(scene.balls[b].radius) + "\n";
+  }
+}
+
+}  // namespace
+
+std::string nff_text(const Scene& scene) {
+  if (!scene.polygon_lights.empty()) throw std::runtime_error("NFF has no polygon lights: not written");
+  std::string text;
+  if (scene.view) append_view(text, *scene.view);
+  for (const PointLight& light : scene.point_lights) {
+    text += "l";
+    append_numbers(text, light.position);
+    text += "\n";
+  }
+  for (const Object& object : scene.objects) append_object(text, scene, object);
+  return text;
+}
+
+}  // namespace gnomon::scene
