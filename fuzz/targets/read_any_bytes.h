@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the four mesh-reader targets have in common.
+// What the targets of mesh and scene readers have in common.
 #pragma once
 
 #include <cstddef>
@@ -11,14 +11,13 @@
 #include <string_view>
 
 #include "scene/input_error.h"
-#include "scene/mesh.h"
 
 namespace gnomon::fuzz {
 
-/// Aborts unless the reader makes a valid mesh of the bytes or throws an InputError whose message is one
-/// printable line that begins with the input's name; other exceptions end the process as well.
-inline void read_any_bytes(scene::Mesh (*read)(std::istream&, std::string_view), const std::uint8_t* data,
-                           std::size_t size) {
+/// Aborts unless the reader makes a valid mesh or scene of the bytes or throws an InputError whose message is
+/// one printable line that begins with the input's name; other exceptions end the process as well.
+template <class T>
+void read_any_bytes(T (*read)(std::istream&, std::string_view), const std::uint8_t* data, std::size_t size) {
   std::istringstream in(std::string(data, data + size));
   try {
     if (!is_valid(read(in, "input"))) std::abort();
