@@ -23,6 +23,7 @@
 #include "reports/html_report.h"
 #include "reports/replay_json.h"
 #include "reports/verb_claims.h"
+#include "reports/verb_scene.h"
 #include "reports/verbs_results.h"
 #include "scene/atomic_file.h"
 #include "scene/input_error.h"
@@ -320,7 +321,8 @@ int main(int argc, char** argv) {
       "  gnomon fuzz shaft-box --trials 1000000 --out results\n"
       "  gnomon explain results/witnesses/shaft-box.naive-f32.false-cull.*.txt\n"
       "  gnomon report results -o report.html\n"
-      "  gnomon claims S2");
+      "  gnomon claims S2\n"
+      "  gnomon scene balls.nff");
 
   std::function<int()> run;
   FuzzArguments fuzz_arguments;
@@ -366,6 +368,7 @@ int main(int argc, char** argv) {
 
   reports::add_result_verbs(app, run);
   reports::add_claims_verb(app, run);
+  reports::add_scene_verb(app, run);
 
   refuse_empty_words(app);
   if (const std::optional<std::string> word = unknown_verb(app, argc, argv)) {

@@ -129,6 +129,7 @@ std::string list_text(const fuzz::Plugins* plugins) {
                         100 * ball.outside, 100 * ball.overlap, 100 * ball.inside,
                         distribution.argument.empty() ? "" : fmt::format("; ARG: {}", distribution.argument));
   }
+  text += "\nScene files (gnomon scene): .nff, .off, .obj, .ply, .stl\n";
   text += "\nNot built in: Embree, EGL, MPI (no question needs them yet); built-in scenes: none yet\n";
   return text;
 }
@@ -148,6 +149,7 @@ std::string list_json(const fuzz::Plugins* plugins) {
                                      {"least_mix", mix_json(distribution.least_mix)},
                                      {"least_mix_sphere", mix_json(distribution.least_mix_sphere)}});
   }
+  json["scene_files"] = {".nff", ".off", ".obj", ".ply", ".stl"};
   json["not_built_in"] = {"Embree", "EGL", "MPI"};
   return json.dump(1) + "\n";
 }

@@ -42,7 +42,7 @@ TEST(CommandLine, HelpShowsAnExampleOfEveryVerb) {
   EXPECT_TRUE(has(top.out, "Examples:"));
   EXPECT_TRUE(has(top.out, "Exit status:"));
   const std::vector<std::string> names = verbs();
-  for (const std::string verb : {"list", "fuzz", "replay", "explain", "report", "claims"}) {
+  for (const std::string verb : {"list", "fuzz", "replay", "explain", "report", "claims", "scene"}) {
     EXPECT_NE(std::find(names.begin(), names.end(), verb), names.end()) << verb;
   }
   for (const std::string& verb : names) {
