@@ -212,9 +212,60 @@ TEST(Triangulate, PartitionsRandomStarsOnACoarseGridAndAtTheEndsOfTheRange) {
   }
 }
 
+using Cell = std::array<int, 2>;
+
+int turn(const Cell& a, const Cell& b, const Cell& c) {
+  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+bool lies_between(const Cell& a, const Cell& b, const Cell& p) {
+  return turn(a, b, p) == 0 && (a[0] - p[0]) * (b[0] - p[0]) + (a[1] - p[1]) * (b[1] - p[1]) <= 0;
+}
+
+/// True when edges meet in the corners that they share alone: straight from the definition, in integers.
+bool is_simple(const std::vector<Cell>& polygon) {
+  const std::size_t n = polygon.size();
+  const auto at = [&](std::size_t i) -> const Cell& { return polygon[i % n]; };
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t k = 0; k < n; ++k) {
+      if (k != i && k != (i + 1) % n && lies_between(at(i), at(i + 1), at(k))) return false;
+      if (k == i || (k + 1) % n == i || (i + 1) % n == k) continue;
+      if ((turn(at(i), at(i + 1), at(k)) > 0) != (turn(at(i), at(i + 1), at(k + 1)) > 0) &&
+          (turn(at(k), at(k + 1), at(i)) > 0) != (turn(at(k), at(k + 1), at(i + 1)) > 0))
+        return false;
+    }
+  }
+  return true;
+}
+
+TEST(Triangulate, PartitionsSimplePolygonsOfASmallGrid) {
+  std::mt19937_64 random(11);
+  std::size_t simple = 0, concave = 0;
+  for (int trial = 0; trial < 400'000; ++trial) {
+    std::vector<Cell> cells(4 + random() % 5);
+    for (Cell& cell : cells) cell = {static_cast<int>(random() % 4), static_cast<int>(random() % 4)};
+    if (!is_simple(cells)) continue;
+    ++simple;
+    std::vector<Point> polygon;
+    bool left = false, right = false;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const int here = turn(cells[i], cells[(i + 1) % cells.size()], cells[(i + 2) % cells.size()]);
+      left |= here > 0;
+      right |= here < 0;
+      polygon.push_back({static_cast<double>(cells[i][0]), static_cast<double>(cells[i][1]), 0});
+    }
+    concave += left && right ? 1 : 0;
+    expect_partition(polygon, 2);
+  }
+  EXPECT_GT(simple, 5'000u);
+  EXPECT_GT(concave, 3'000u);
+}
+
 TEST(Triangulate, ChoosesTheDominantAxisExactlyAndTheFirstOfEqualOnes) {
   // In the plane x + y + z = 0 all three projections have one area; seen along x it must be a partition.
   expect_partition({{0, 0, 0}, {1, -1, 0}, {1, 0, -1}, {0, 1, -1}}, 0);
+  // Equal areas along x and y, where the two projections need different diagonals.
+  expect_partition({{3, 1, 3}, {3, 4, 4}, {0, 4, 1}, {4, 3, 3}}, 0);
   // An ulp more along z than along x: the polygon is not flat, and along x it would cross itself.
   const double more = std::nextafter(1.0, 2.0);
   expect_partition({{0, 0, 0}, {more, 0, 0}, {more, 1, 1}, {0, 1, 1}}, 2);
