@@ -49,7 +49,7 @@ std::string scene_text(const scene::LoadedScene& loaded, std::string_view file) 
     add("", fmt::format("from {} of four or more corners{}", counted(loaded.polygons, "polygon", "polygons"),
                         loaded.crossing_polygons == 0
                             ? ""
-                            : fmt::format(", of which {} cross themselves", loaded.crossing_polygons)));
+                            : fmt::format("; self-crossing: {}", loaded.crossing_polygons)));
   }
   if (loaded.cones > 0) {
     add("", fmt::format("from {} of {} sides each",

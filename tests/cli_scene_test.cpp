@@ -36,6 +36,16 @@ TEST(CommandLineScene, DescribesAScene) {
             "  view        from (2, 1, 1) at (0, 0, 0), 45 degrees, 8 x 6\n");
 }
 
+TEST(CommandLineScene, SaysWhatIsUnusual) {
+  const Folder folder;
+  folder.write("s.nff", "p 4\n0 0 0\n2 2 0\n2 0 0\n0 1 0\np 3\n0 0 0\n1 1 1\n2 2 2\ns 1 1 1 0\n");
+  const std::vector<std::string> lines = lines_of(run_gnomon({"scene", "s.nff"}, folder.path()).out);
+  ASSERT_GT(lines.size(), 4u);
+  EXPECT_EQ(lines[2], "              from 1 polygon of four or more corners; self-crossing: 1");
+  EXPECT_EQ(lines[4], "  degenerate  2");
+  EXPECT_EQ(lines.back(), "  view        none");
+}
+
 TEST(CommandLineScene, WritesNffThatSaysTheSame) {
   const Folder folder;
   folder.write("s.nff", kScene);
