@@ -298,8 +298,8 @@ void add_fuzz(CLI::App& app, FuzzArguments& arguments, std::function<int()>& run
       "  gnomon fuzz shaft-box\n"
       "  gnomon fuzz shaft-box --method naive-f32 --distribution near-touch --trials 10000000 --out results\n"
       "  gnomon fuzz shaft-sphere --distribution mesh:bunny.off --time 60s --json bunny.json\n"
-      "  gnomon fuzz shaft-box --distribution uniform@64     64 boxes a shaft: what the batch rows are for\n"
-      "  gnomon fuzz shaft-box --plugin ./mine.so --distribution grid --out results");
+      "  gnomon fuzz shaft-box --distribution uniform@64   # 64 boxes a shaft: what the batch rows are for\n"
+      "  gnomon fuzz shaft-box --plugin ./mine.so --distribution integer-grid --out results");
   verb->final_callback([&] { run = [&arguments] { return run_fuzz(arguments); }; });
 }
 

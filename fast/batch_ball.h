@@ -89,8 +89,8 @@ class ExactBallShaft {
 
 /// The exact category of every valid ball: the certified test; exact arithmetic on a grid, where shaft and
 /// ball have one; certificates and error-free transforms in double precision; all three in vector registers,
-/// then `predicate` for what is left. The answers for invalid
-/// balls (NaN, infinity, negative radius) are unspecified categories.
+/// then `predicate` for what is left. The answers for invalid balls (NaN, infinity, negative radius) are
+/// unspecified categories.
 template <class F>
 BatchCounters classify_balls_exact(const ExactBallShaft<F>& shaft, const BallsSoA<F>& balls,
                                    std::span<std::uint8_t> answers, ExactPredicate<scene::Ball<F>> predicate);

@@ -6,19 +6,21 @@
 #include <array>
 #include <span>
 
-#include "exact/shaft_ball.h"
-#include "exact/shaft_box.h"
 #include "fast/batch_ball.h"
 #include "fast/batch_box.h"
 #include "fuzz/verdict.h"
+#include "scene/shaft_case.h"
 
 namespace gnomon::fuzz {
+
+/// The tiers that fast/batch_box.h and fast/batch_ball.h have.
+enum class BatchTier : std::uint8_t { naive, certified, exact };
 
 /// The boxes of consecutive cases, coordinate by coordinate.
 template <class F>
 class BoxRun {
  public:
-  static constexpr std::size_t kMost = 256;  ///< half a page for each float coordinate: they stay in L1
+  static constexpr std::size_t kMost = 256;  ///< 6 or 12 kB: they stay in the first-level cache
 
   void assign(std::span<const scene::ShaftBoxCaseOf<F>> cases) {
     count_ = cases.size();

@@ -16,8 +16,6 @@ template <class F>
 using Cases = std::span<const scene::ShaftBoxCaseOf<F>>;
 using Answers = std::span<Answer>;
 
-enum class Tier : std::uint8_t { naive, certified, exact };
-
 Answer to_answer(Category category) {
   return static_cast<Answer>(category);
 }
@@ -73,13 +71,13 @@ void exact_tier(Cases<F> cases, Answers answers) {
   }
 }
 
-template <class F, Tier kTier>
+template <class F, BatchTier kTier>
 void batch(Cases<F> cases, Answers answers) {
   answer_in_runs<BoxRun<F>>(
       cases, answers, [](const auto& a, const auto& b, const fast::BoxesSoA<F>& boxes, Answers out) {
-        if constexpr (kTier == Tier::naive) {
+        if constexpr (kTier == BatchTier::naive) {
           fast::classify_boxes<F>(fast::form_shaft(a, b, fast::Normals::as_formed), boxes, out);
-        } else if constexpr (kTier == Tier::certified) {
+        } else if constexpr (kTier == BatchTier::certified) {
           fast::classify_boxes<F>(fast::form_certified_box_shaft(a, b), boxes, out);
         } else {
           fast::classify_boxes_exact<F>({a, b}, boxes, out, [&](const scene::Box<F>& t) {
@@ -114,17 +112,17 @@ const Row kRows[] = {
     {"exact", "exact", Promise::always_agrees, Twin::truth, "all finite numbers",
      "certified, what its band leaves open by exact predicate", exact_tier<float>, exact_tier<double>},
     {"batch-naive-f32", "naive", Promise::none, Twin::planes, kAllFloats,
-     "naive-f32 in vector registers, for many boxes a shaft: uniform@64", batch<float, Tier::naive>, nullptr,
-     nullptr, nullptr, true},
+     "naive-f32 in vector registers, for many boxes a shaft: uniform@64", batch<float, BatchTier::naive>,
+     nullptr, nullptr, nullptr, true},
     {"batch-certified-f32", "certified", Promise::never_unsound, Twin::planes, kAllFloats,
-     "certified-f32 in vector registers", batch<float, Tier::certified>, nullptr, stated_gap<float>, nullptr,
-     true},
+     "certified-f32 in vector registers", batch<float, BatchTier::certified>, nullptr, stated_gap<float>,
+     nullptr, true},
     {"batch-certified-f64", "certified", Promise::never_unsound, Twin::planes, kAllDoubles,
-     "certified-f64 in vector registers", nullptr, batch<double, Tier::certified>, nullptr,
+     "certified-f64 in vector registers", nullptr, batch<double, BatchTier::certified>, nullptr,
      stated_gap<double>, true},
     {"batch-exact", "exact", Promise::always_agrees, Twin::truth, "all finite numbers",
      "float filter, error-free doubles, exact predicate; the first two in vector registers",
-     batch<float, Tier::exact>, batch<double, Tier::exact>, nullptr, nullptr, true},
+     batch<float, BatchTier::exact>, batch<double, BatchTier::exact>, nullptr, nullptr, true},
 };
 
 }  // namespace

@@ -177,38 +177,8 @@ Proof.
   assert (DP : 0 <= D <= P).
   { unfold D, P; split; [apply Rplus_le_le_0_compat; apply Rmult_le_pos; apply Rabs_pos|].
     apply Rplus_le_compat; apply Rmult_le_compat_l; auto using Rabs_pos. }
-  assert (G : forall m n e t v a w, Rabs e <= 2.0000001 * u -> Rabs t <= 2.1 * eta -> m = c * n * (1 + e) + t ->
-            Rabs v <= w + R -> Rabs a <= w -> 0 <= w ->
-            Rabs (c * n * (v - a) - m * (v - a)) <= Rabs m * (w + R) * (4.001 * u) + 4.4 * (eta * (w + R))).
-  { intros m n e t v a w He Ht Em Hv Ha Hw; set (W := w + R) in *.
-    assert (W0 : 0 <= W) by (unfold W; lra).
-    assert (VA : Rabs (v - a) <= 2 * W)
-      by (unfold Rminus; eapply Rle_trans; [apply Rabs_triang|rewrite Rabs_Ropp; unfold W in *; lra]).
-    assert (CN : Rabs (c * n) <= (Rabs m + 2.1 * eta) * 1.00001).
-    { assert (Rabs (c * n) * (1 - 2.0000001 * u) <= Rabs (m - t)).
-      { replace (m - t) with (c * n * (1 + e)) by (rewrite Em; ring).
-        rewrite (Rabs_mult (c * n)); apply Rmult_le_compat_l; [apply Rabs_pos|].
-        apply Rabs_le_inv in He; rewrite Rabs_pos_eq; lra. }
-      assert (Rabs (m - t) <= Rabs m + Rabs t)
-        by (unfold Rminus; eapply Rle_trans; [apply Rabs_triang|rewrite Rabs_Ropp; lra]).
-      pose proof (Rabs_pos (c * n)).
-      assert (Rabs (c * n) * (1 - 0.000001) <= Rabs (c * n) * (1 - 2.0000001 * u))
-        by (apply Rmult_le_compat_l; lra).
-      lra. }
-    assert (X1 : Rabs (c * n * e * (v - a)) <= (Rabs m + 2.1 * eta) * 1.00001 * (2.0000001 * u) * (2 * W)).
-    { rewrite (Rabs_mult (c * n * e)), (Rabs_mult (c * n) e).
-      apply Rmult_le_compat; auto using Rabs_pos; [apply Rmult_le_pos; apply Rabs_pos|].
-      apply Rmult_le_compat; auto using Rabs_pos. }
-    assert (X2 : Rabs (t * (v - a)) <= 2.1 * eta * (2 * W))
-      by (rewrite Rabs_mult; apply Rmult_le_compat; auto using Rabs_pos).
-    replace (c * n * (v - a) - m * (v - a)) with (- (c * n * e * (v - a)) + - (t * (v - a))) by (rewrite Em; ring).
-    eapply Rle_trans; [apply Rabs_triang|]; rewrite !Rabs_Ropp.
-    assert (EW : 0 <= eta * W) by (apply Rmult_le_pos; lra).
-    pose proof (u_times_small _ EW) as [UE0 UE].
-    assert (MW : 0 <= u * (Rabs m * W)) by (repeat apply Rmult_le_pos; auto using Rabs_pos; lra).
-    lra. }
-  pose proof (G m0 N0 d0 t0 (z (fst f)) a0 x D0 S0 E0 Zx Hax x0) as G0.
-  pose proof (G m1 N1 d1 t1 (z (fst g)) a1 y D1 S1 E1 Zy Hay y0) as G1; clear G.
+  pose proof (turned_component_at_most c m0 N0 d0 t0 (z (fst f)) a0 (x + R) D0 S0 E0 Zx ltac:(lra) ltac:(lra)) as G0.
+  pose proof (turned_component_at_most c m1 N1 d1 t1 (z (fst g)) a1 (y + R) D1 S1 E1 Zy ltac:(lra) ltac:(lra)) as G1.
   apply Rabs_le_inv in G0; apply Rabs_le_inv in G1.
   assert (MC : Rabs m0 * Rabs (z (fst f)) + Rabs m1 * Rabs (z (fst g)) <= P + 1.4143 * R).
   { assert (Rabs m0 * Rabs (z (fst f)) <= Rabs m0 * (x + R)) by (apply Rmult_le_compat_l; auto using Rabs_pos).

@@ -61,6 +61,39 @@ Proof.
   eapply Rle_trans; [apply six_terms|]; rewrite !Rabs_R0; lra.
 Qed.
 
+(** What rounding the normal changes of one component's share of the value, within w of the origin. *)
+Lemma turned_component_at_most c m n e t v a w : Rabs e <= 2.0000001 * u -> Rabs t <= 2.1 * eta ->
+  m = c * n * (1 + e) + t -> Rabs v <= w -> Rabs a <= w -> 0 <= w ->
+  Rabs (c * n * (v - a) - m * (v - a)) <= Rabs m * w * (4.001 * u) + 4.4 * (eta * w).
+Proof.
+  intros He Ht Em Hv Ha Hw; pose proof u_positive as U0; pose proof u_small as U; pose proof eta_positive as T0.
+  assert (VA : Rabs (v - a) <= 2 * w)
+    by (unfold Rminus; eapply Rle_trans; [apply Rabs_triang|rewrite Rabs_Ropp; lra]).
+  assert (CN : Rabs (c * n) <= (Rabs m + 2.1 * eta) * 1.00001).
+  { assert (Rabs (c * n) * (1 - 2.0000001 * u) <= Rabs (m - t)).
+    { replace (m - t) with (c * n * (1 + e)) by (rewrite Em; ring).
+      rewrite (Rabs_mult (c * n)); apply Rmult_le_compat_l; [apply Rabs_pos|].
+      apply Rabs_le_inv in He; rewrite Rabs_pos_eq; lra. }
+    assert (Rabs (m - t) <= Rabs m + Rabs t)
+      by (unfold Rminus; eapply Rle_trans; [apply Rabs_triang|rewrite Rabs_Ropp; lra]).
+    pose proof (Rabs_pos (c * n)).
+    assert (Rabs (c * n) * (1 - 0.000001) <= Rabs (c * n) * (1 - 2.0000001 * u))
+      by (apply Rmult_le_compat_l; lra).
+    lra. }
+  assert (X1 : Rabs (c * n * e * (v - a)) <= (Rabs m + 2.1 * eta) * 1.00001 * (2.0000001 * u) * (2 * w)).
+  { rewrite (Rabs_mult (c * n * e)), (Rabs_mult (c * n) e).
+    apply Rmult_le_compat; auto using Rabs_pos; [apply Rmult_le_pos; apply Rabs_pos|].
+    apply Rmult_le_compat; auto using Rabs_pos. }
+  assert (X2 : Rabs (t * (v - a)) <= 2.1 * eta * (2 * w))
+    by (rewrite Rabs_mult; apply Rmult_le_compat; auto using Rabs_pos).
+  replace (c * n * (v - a) - m * (v - a)) with (- (c * n * e * (v - a)) + - (t * (v - a))) by (rewrite Em; ring).
+  eapply Rle_trans; [apply Rabs_triang|]; rewrite !Rabs_Ropp.
+  assert (EW : 0 <= eta * w) by (apply Rmult_le_pos; lra).
+  pose proof (u_times_small _ EW) as [UE0 UE].
+  assert (MW : 0 <= u * (Rabs m * w)) by (repeat apply Rmult_le_pos; auto using Rabs_pos; lra).
+  lra.
+Qed.
+
 Section OnePlane.
 Variables (A B : box) (f g : face) (m0 m1 c d0 d1 t0 t1 : R).
 Hypotheses (wA : valid A) (wB : valid B) (FA : float_box A) (FB : float_box B)
@@ -276,38 +309,9 @@ Proof.
   destruct M as [_ c0 D0' D1' S0' S1' E0' E1' _ _ _].
   set (n0 := true_n0 A B f g) in *; set (n1 := true_n1 A B f g) in *.
   set (z0 := z (fst f)) in *; set (z1 := z (fst g)) in *.
-  assert (TURN : forall m n e t v a w, Rabs e <= 2.0000001 * u -> Rabs t <= 2.1 * eta ->
-            m = c * n * (1 + e) + t -> Rabs v <= w -> Rabs a <= w -> 0 <= w ->
-            c * n * (v - a) <= m * (v - a) + (Rabs m * w * (4.001 * u) + 4.4 * (eta * w))).
-  { intros m n e t v a w He Ht Em Hv Ha Hw.
-    assert (VA : Rabs (v - a) <= 2 * w)
-      by (unfold Rminus; eapply Rle_trans; [apply Rabs_triang|rewrite Rabs_Ropp; lra]).
-    assert (CN : Rabs (c * n) <= (Rabs m + 2.1 * eta) * 1.00001).
-    { assert (Rabs (c * n) * (1 - 2.0000001 * u) <= Rabs (m - t)).
-      { replace (m - t) with (c * n * (1 + e)) by (rewrite Em; ring).
-        rewrite (Rabs_mult (c * n)); apply Rmult_le_compat_l; [apply Rabs_pos|].
-        apply Rabs_le_inv in He; rewrite Rabs_pos_eq; lra. }
-      assert (Rabs (m - t) <= Rabs m + Rabs t)
-        by (unfold Rminus; eapply Rle_trans; [apply Rabs_triang|rewrite Rabs_Ropp; lra]).
-      pose proof (Rabs_pos (c * n)).
-      assert (Rabs (c * n) * (1 - 0.000001) <= Rabs (c * n) * (1 - 2.0000001 * u))
-        by (apply Rmult_le_compat_l; lra).
-      lra. }
-    assert (X1 : Rabs (c * n * e * (v - a)) <= (Rabs m + 2.1 * eta) * 1.00001 * (2.0000001 * u) * (2 * w)).
-    { rewrite (Rabs_mult (c * n * e)), (Rabs_mult (c * n) e).
-      apply Rmult_le_compat; auto using Rabs_pos; [apply Rmult_le_pos; apply Rabs_pos|].
-      apply Rmult_le_compat; auto using Rabs_pos. }
-    assert (X2 : Rabs (t * (v - a)) <= 2.1 * eta * (2 * w))
-      by (rewrite Rabs_mult; apply Rmult_le_compat; auto using Rabs_pos).
-    replace (c * n * (v - a)) with (m * (v - a) + (- (c * n * e * (v - a)) - t * (v - a))) by (rewrite Em; ring).
-    apply Rabs_le_inv in X1; apply Rabs_le_inv in X2.
-    assert (EW : 0 <= eta * w) by (apply Rmult_le_pos; lra).
-    pose proof (u_times_small _ EW) as [UE0 UE].
-    assert (MW : 0 <= u * (Rabs m * w)) by (repeat apply Rmult_le_pos; auto using Rabs_pos; lra).
-    lra. }
-  pose proof (TURN m0 n0 d0 t0 z0 a0 x D0' S0' E0' Zx Hax x0) as TU0.
-  pose proof (TURN m1 n1 d1 t1 z1 a1 y D1' S1' E1' Zy Hay y0) as TU1.
-  clear TURN.
+  pose proof (turned_component_at_most c m0 n0 d0 t0 z0 a0 x D0' S0' E0' Zx Hax x0) as TU0.
+  pose proof (turned_component_at_most c m1 n1 d1 t1 z1 a1 y D1' S1' E1' Zy Hay y0) as TU1.
+  apply Rabs_le_inv in TU0; apply Rabs_le_inv in TU1.
   (* the value at the centre *)
   assert (MC : Rabs m0 * Rabs z0 + Rabs m1 * Rabs z1 <= P)
     by (unfold P; apply Rplus_le_compat; apply Rmult_le_compat_l; auto using Rabs_pos).

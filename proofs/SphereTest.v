@@ -6,13 +6,9 @@
     around it meets the shaft, because the cube passes the box test, which is exact. So the shaft is less than sqrt 3
     radii away ([kept_ball_is_nearer]), and no smaller factor will do ([sqrt3_is_approached]). *)
 Require Import Reals Lra Psatz List Bool.
-Require Import Gnomon.Boxes Gnomon.PlaneSet Gnomon.BoxTest Gnomon.BallDistance.
+Require Import Gnomon.Boxes Gnomon.PlaneSet Gnomon.BoxTest Gnomon.BallDistance Gnomon.BallAgainstPlane.
 Import ListNotations.
 Open Scope R_scope.
-
-(** the squared distance from c to the extent box, as Arvo's test computes it *)
-Definition squared_distance_to_extent (A B : box) (c : point) : R :=
-  sum_over_axes (fun i => distance_to_interval (c i) (Rmin (lo A i) (lo B i)) (Rmax (hi A i) (hi B i)) ^ 2).
 
 (** n.c - d <= r |n|, without dividing by the length of the normal *)
 Definition sphere_test_keeps (A B : box) (c : point) (r : R) : Prop :=
@@ -20,6 +16,17 @@ Definition sphere_test_keeps (A B : box) (c : point) (r : R) : Prop :=
   forall f g, fst f <> fst g -> extreme A B f -> extreme B A g ->
     dot (normal (edge_plane A B f g)) c - offset (edge_plane A B f g)
       <= r * sqrt (dot (normal (edge_plane A B f g)) (normal (edge_plane A B f g))).
+
+(** The test as a whole: what it does not call outside. *)
+Lemma keeps_exactly_when_not_outside A B c r :
+  sphere_test_keeps A B c r <-> ~ sphere_test_says_outside A B c r.
+Proof.
+  unfold sphere_test_keeps, sphere_test_says_outside, BallAgainstPlane.length; split.
+  - intros [D P] [O|[f [g [N [Ef [Eg O]]]]]]; [lra|].
+    specialize (P f g N Ef Eg); cbv zeta in O; lra.
+  - intro K; split; [apply Rnot_gt_le; intro O; apply K; left; exact O|].
+    intros f g N Ef Eg; apply Rnot_gt_le; intro O; apply K; right; exists f, g; auto.
+Qed.
 
 Definition cube (c : point) (r : R) : box := Box (fun i => c i - r) (fun i => c i + r).
 

@@ -248,7 +248,9 @@ std::string plot_section(std::span<const ResultFile> files) {
       "<p>Down and to the left is better. Both axes are logarithmic; dashed is the exact reference on the "
       "same cases. "
       "Times over several distributions are medians, since a few of these cost far more than the rest. They "
-      "include the set-up of the shaft; of a distribution with @K, a K-th of it.</p>\n";
+      "include the set-up of the shaft, which batch rows share among the K cases of a distribution with @K; "
+      "all "
+      "others do it for every case.</p>\n";
   out += kKey;
   out += "<div id=\"plot-controls\" hidden></div>\n<div id=\"plot-live\" class=\"panels\" hidden></div>\n" +
          figures;

@@ -2,8 +2,13 @@
 // The exact ball test on grids: integers times a power of two, where it decides without the second stage.
 #include <gtest/gtest.h>
 
+#include <numeric>
+#include <optional>
+#include <utility>
+
 #include "fast/batch_ball.h"
 #include "tests/batch_ball_truth.h"
+#include "tests/shaft_random.h"
 
 namespace gnomon::tests {
 
@@ -191,6 +196,119 @@ TYPED_TEST(BatchBallGrid, LeavesOtherBallsAlone) {
     }
     EXPECT_GT(all.second_stage, all.on_grid + 500) << grid.size;
   }
+}
+
+namespace {
+
+/// Whole C and r, r below `most`, for which C^2 - R r^2 is not 0 but as small as can be: the last convergent
+/// of the root of R's continued fraction. Nothing when the root is whole.
+std::optional<std::pair<std::int64_t, std::int64_t>> near_root(std::int64_t of, std::int64_t most) {
+  const auto root = static_cast<std::int64_t>(std::sqrt(static_cast<double>(of)));
+  if (root * root == of) return std::nullopt;
+  std::int64_t m = 0, d = 1, a = root, before_c = 1, c = root, before_r = 0, r = 1;
+  std::pair<std::int64_t, std::int64_t> last;
+  while (r < most) {
+    last = {c, r};
+    m = d * a - m;
+    d = (of - m * m) / d;
+    a = (root + m) / d;
+    before_c = std::exchange(c, a * c + before_c);
+    before_r = std::exchange(r, a * r + before_r);
+  }
+  return last;
+}
+
+/// The inverse of x modulo y, for x and y without common factors.
+std::int64_t inverse(std::int64_t x, std::int64_t y) {
+  std::int64_t before = 0, now = 1, rest = y, divisor = x % y;
+  while (divisor != 0) {
+    const std::int64_t times = rest / divisor;
+    rest = std::exchange(divisor, rest % divisor);
+    before = std::exchange(now, before - times * now);
+  }
+  return before < 0 ? before + y : before;
+}
+
+/// A ball that misses or reaches the slanted edge of a shaft by next to nothing: the edge (in x and y) runs
+/// along (-q, p), and the centre's distance from it is c / sqrt(q^2 + p^2), against r.
+template <class F>
+std::optional<BallBatch<F>> next_to_an_edge(fuzz::CaseRandom& random, int half) {
+  const std::int64_t q0 = 1 + random.below(2 * half - 2), q1 = 1 + random.below(2 * half - 2);
+  if (std::gcd(q0, q1) != 1) return std::nullopt;
+  const std::int64_t length = q0 * q0 + q1 * q1;
+  const auto found = near_root(length, 3 * static_cast<std::int64_t>(half));
+  if (!found) return std::nullopt;
+  const auto [c, r] = *found;
+  // p with p0 q1 + p1 q0 = c, q1 and -q0 being the run of the sides; then moved along the edge until the
+  // foot lies within.
+  std::int64_t p0 = q0 == 1 ? 0 : c % q0 * inverse(q1, q0) % q0;
+  std::int64_t p1 = (c - p0 * q1) / q0;
+  const auto floor = [](std::int64_t x, std::int64_t y) { return x / y - (x % y < 0 ? 1 : 0); };
+  const std::int64_t along = floor(p1 * q1 - p0 * q0, length);
+  p0 += along * q0;
+  p1 -= along * q1;
+  // a reaches to q0 in x and 0 in y, b to 0 and q1: seen from a's edge the sides move by -q0 and q1.
+  const F h = F(half);
+  const scene::Box<F> a{{-h, -h, -h, F(q0) - h, -h, h - 1}}, b{{-h, -h, -h, -h, F(q1) - h, h - 1}};
+  BallBatch<F> batch{a, b, {}};
+  batch.add({{F(q0 + p0) - h, F(p1) - h, F(random.integer(1 - half, half - 1))}, F(r)});
+  return batch;
+}
+
+}  // namespace
+
+/// D against r^2, where the rounded products of the comparison are equal and the exact ones are not.
+TYPED_TEST(BatchBallGrid, ComparesProductsToTheirLastDigit) {
+  using F = TypeParam;
+  constexpr int kHalf = sizeof(F) == 4 ? 250 : 1 << 21;
+  BatchCounters all;
+  std::array<int, 3> truths{};
+  for (std::uint64_t trial = 0; trial < affordable(6000); ++trial) {
+    fuzz::CaseRandom random(26, 0, trial);
+    const auto batch = next_to_an_edge<F>(random, kHalf);
+    if (!batch) continue;
+    const BatchCounters now = expect_exact(*batch, std::to_string(trial));
+    if (this->HasFatalFailure()) return;
+    all.on_grid += now.on_grid;
+    ++truths[static_cast<std::size_t>(truth_of(*batch)[0])];
+  }
+  EXPECT_GT(all.on_grid, affordable(1000));
+  EXPECT_GT(truths[0], affordable(1000));
+  EXPECT_GT(truths[1], affordable(1000));
+}
+
+/// A radius of a unit or two is less than the margin of the first stage when coordinates have nearly all
+/// digits of the format: such a ball comes here near a side, too.
+TYPED_TEST(BatchBallGrid, HoldsSmallBallsAgainstSides) {
+  using F = TypeParam;
+  constexpr F kOffset = sizeof(F) == 4 ? F(0x1p20) : F(0x1p48);
+  constexpr int kSize = sizeof(F) == 4 ? 400 : 400 << 14;  // the widest that the grid's stage takes
+  BatchCounters all;
+  std::array<int, 3> truths{};
+  for (std::uint64_t trial = 0; trial < affordable(300); ++trial) {
+    fuzz::CaseRandom random(27, 0, trial);
+    const TestGrid<F> grid{kSize, 1, kOffset};
+    BallBatch<F> batch{box_on(random, grid), box_on(random, grid), {}};
+    for (int i = 0; i < kBalls; ++i) {
+      // Near the edge of one of the boxes, some units inwards: sides and planes are a few units away.
+      const scene::Box<F>& box = random.chance(0.5) ? batch.a : batch.b;
+      scene::Ball<F> ball{};
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const bool upper = random.chance(0.5);
+        const F inwards = F(random.below(4));
+        ball.centre[axis] = upper ? box.c[axis + 3] - inwards : box.c[axis] + inwards;
+      }
+      ball.radius = F(random.below(4));
+      batch.add(ball);
+    }
+    const BatchCounters now = expect_exact(batch, std::to_string(trial));
+    if (this->HasFatalFailure()) return;
+    all.on_grid += now.on_grid;
+    for (const Category truth : truth_of(batch)) ++truths[static_cast<std::size_t>(truth)];
+  }
+  EXPECT_GT(all.on_grid, affordable(1000));
+  EXPECT_GT(truths[1], affordable(1000));
+  EXPECT_GT(truths[2], affordable(1000));
 }
 
 /// A shaft with one number off the grid, and balls on it.

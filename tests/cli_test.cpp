@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
 
+#include "fuzz/generator.h"
 #include "scene/corpus.h"
 #include "tests/cli_run.h"
 #include "tests/report_xml_check.h"
@@ -55,6 +58,35 @@ TEST(CommandLine, HelpShowsAnExampleOfEveryVerb) {
   const Outcome version = run_gnomon({"--version"});
   EXPECT_EQ(version.status, 0);
   EXPECT_EQ(version.out.rfind("gnomon ", 0), 0u);
+}
+
+// An example that names what does not exist teaches nothing.
+TEST(CommandLine, ExamplesOfHelpNameWhatThereIs) {
+  std::set<std::string> methods;
+  const json listed = json::parse(run_gnomon({"list", "--json"}).out);
+  for (const json& question : listed.at("questions")) {
+    for (const json& method : question.at("methods")) methods.insert(method.at("name"));
+  }
+  std::size_t named = 0;
+  std::vector<std::string> all = verbs();
+  for (const std::string& verb : all) {
+    for (const std::string& line : lines_of(run_gnomon({verb, "--help"}).out)) {
+      std::istringstream words(line);
+      std::string option, value;
+      if (!(words >> option) || option != "gnomon") continue;
+      while (words >> option) {
+        if (option == "--method" && words >> value) {
+          EXPECT_TRUE(methods.contains(value)) << line;
+        } else if (option == "--distribution" && words >> value) {
+          EXPECT_NO_THROW((void)fuzz::parse_distribution(value)) << line;
+        } else {
+          continue;
+        }
+        ++named;
+      }
+    }
+  }
+  EXPECT_GE(named, 4u);
 }
 
 TEST(CommandLine, ListSaysWhatThereIs) {

@@ -12,6 +12,7 @@
 #include "exact/shaft_box.h"
 #include "fuzz/campaign.h"
 #include "fuzz/shaft_questions.h"
+#include "fuzz/shapes.h"
 #include "tests/shaft_random.h"
 
 namespace gnomon::fuzz {
@@ -160,14 +161,18 @@ TEST(BatchRuns, AreCutWhereTheShaftChanges) {
       std::find_if(rows.begin(), rows.end(), [](const Row& r) { return r.name == "batch-exact"; });
   ASSERT_NE(row, rows.end());
   std::vector<scene::ShaftBoxCase> cases;
-  for (const int length : {1, 2, 255, 256, 257, 600, 3}) {
-    for (const bool moves_a : {true, false}) {
-      const auto from = static_cast<double>(cases.size() % 7);
+  CaseRandom random(12, 0, 0);
+  for (const bool moves_a : {true, false}) {  // from one run to the next, one of the two boxes
+    double by = 0;
+    for (const int length : {1, 2, 255, 256, 257, 600, 3}) {
       scene::ShaftBoxCase c{{{0, 0, 0, 1, 1, 1}}, {{9, 9, 9, 10, 10, 10}}, {}};
-      (moves_a ? c.a : c.b).c[moves_a ? 0 : 3] += moves_a ? -from - 1 : from + 1;
+      by += 3;
+      for (const int face : {1, 4}) (moves_a ? c.a : c.b).c[static_cast<std::size_t>(face)] += by;
       for (int i = 0; i < length; ++i) {
-        const double x = i % 11;
-        c.t = {{x, x, 4, x + 0.5, x + 0.25, 5}};
+        for (int axis = 0; axis < 3; ++axis) {
+          const double lo = random.between<double>(0, axis == 1 ? 30 : 10);
+          set_axis(c.t, axis, lo, lo + random.unit<double>());
+        }
         cases.push_back(c);
       }
     }
