@@ -87,8 +87,8 @@ void work(const Batch<Q>& batch, const Generator<typename Q::Case>& generator, c
   std::vector<Tally> tallies(batch.methods.size());
   const double start = thread_ns();
   while (!shared.failed.load(std::memory_order_relaxed)) {
-    if (deadline && Clock::now() >= *deadline) break;
     const std::uint64_t taken = shared.next_chunk.fetch_add(1);
+    if (deadline && taken > 0 && Clock::now() >= *deadline) break;  // no row is left without trials
     const std::uint64_t chunk = taken * options.shards + (options.shard - 1);
     if (chunk >= chunks || shared.failures.all_before(chunk)) break;
     const std::uint64_t first = chunk * kSize;

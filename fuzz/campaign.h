@@ -17,9 +17,10 @@ namespace gnomon::fuzz {
 
 struct CampaignOptions {
   std::uint64_t seed = 1;
-  std::uint64_t trials = 100000;           ///< of each row
-  std::optional<double> seconds;           ///< instead of trials: for all rows together
-  unsigned jobs = 1;                       ///< threads; results do not depend on it
+  std::uint64_t trials = 100000;  ///< of each row
+  std::optional<double>
+      seconds;        ///< instead of trials: for all rows together; each row gets a block at least
+  unsigned jobs = 1;  ///< threads; results do not depend on it
   unsigned shard = 1, shards = 1;          ///< this run takes the shard-th of `shards` parts of the trials
   std::optional<scene::Scalar> scalar;     ///< of the cases; without it every method gets cases of its own
   std::vector<std::string> methods;        ///< empty: all; batch rows only where shafts are shared

@@ -52,7 +52,8 @@ Triple<F> near_touch_triple(CaseRandom& random) {
   const F s = random.unit<F>();
   const F size = near ? F(0.3) : F(0.01);
   const bool at_plane = random.chance(0.8);
-  const std::optional<Edges> edges = at_plane ? random_plane(random, c) : std::nullopt;
+  std::optional<Edges> edges;
+  if (at_plane) edges = random_plane(random, c);
   // First a section of the shaft at s, which t meets (near) or lies in (far); then one corner on the
   // boundary.
   for (int axis = 0; axis < 3; ++axis) {

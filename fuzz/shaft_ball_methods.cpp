@@ -121,7 +121,8 @@ const Row kRows[] = {
      "certified-f64 in vector registers", nullptr, batch<double, BatchTier::certified>, nullptr,
      stated_gap<double>, true},
     {"batch-exact", "exact", Promise::always_agrees, Twin::truth, "all finite numbers",
-     "certified, certificates in doubles, exact predicate; the first two in vector registers",
+     "certified, exact on grids, certificates in doubles, exact predicate; all but the last in vector "
+     "registers",
      batch<float, BatchTier::exact>, batch<double, BatchTier::exact>, nullptr, nullptr, true},
 };
 

@@ -201,8 +201,10 @@ TYPED_TEST(CampaignOf, FewTrialsAndTimeLimitsWork) {
   options.methods = {"trivial"};
   options.seconds = 0.05;
   const CampaignResult timed = run_campaign<TypeParam>(options);
-  for (const RowResult& row : timed.rows) EXPECT_EQ(row.trials % 1024, 0u);
-  EXPECT_GT(timed.trials, 1024u);
+  for (const RowResult& row : timed.rows) {
+    EXPECT_EQ(row.trials % 1024, 0u);
+    EXPECT_GE(row.trials, 1024u) << row.distribution;  // however late it is
+  }
   EXPECT_LT(timed.seconds, 20);
   options.methods = {"no-such"};
   EXPECT_THROW((void)run_campaign<TypeParam>(options), UsageError);

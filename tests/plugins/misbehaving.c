@@ -3,8 +3,10 @@
  * of integer grids that is_chosen() names, so that the case to blame can be found. */
 #define _POSIX_C_SOURCE 200809L
 #include <fenv.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -96,6 +98,15 @@ static void do_sleep(unsigned long long count, const float* cases, unsigned char
   const struct timespec nap = {0, 10000000};
   if (i == 0) nanosleep(&nap, NULL);
 }
+/* Is killed, by whomever, as often as the file $GNOMON_TEST_KILLS has letters. */
+static void do_be_killed(unsigned long long count, const float* cases, unsigned char* answers,
+                         unsigned long long i) {
+  (void)count, (void)cases, (void)answers;
+  const char* const name = getenv("GNOMON_TEST_KILLS");
+  struct stat left;
+  if (i != 0 || name == NULL || stat(name, &left) != 0 || left.st_size == 0) return;
+  if (truncate(name, left.st_size - 1) == 0) raise(SIGKILL);
+}
 static void do_nothing(unsigned long long count, const float* cases, unsigned char* answers,
                        unsigned long long i) {
   (void)count, (void)cases, (void)answers, (void)i;
@@ -125,7 +136,7 @@ const gnomon_plugin* gnomon_plugin_entry(void) {
               past = {do_write_past, 0}, before = {do_write_before, 0}, into = {do_write_cases, 0},
               reads = {do_read_past, 0}, nonsense = {do_nonsense, 0}, modes = {do_round_down, 0},
               greedy = {do_allocate, 0}, prints = {do_print, 1}, fickle = {do_answer_by_count, 1},
-              slow = {do_sleep, 1}, fine = {do_nothing, 1};
+              unlucky = {do_be_killed, 1}, slow = {do_sleep, 1}, fine = {do_nothing, 1};
 #define ROW(NAME, DEED) \
   { GNOMON_SHAFT_BOX, GNOMON_NEVER_UNSOUND, NAME, NULL, run, NULL, DEED }
   static const gnomon_method methods[] = {
@@ -142,6 +153,7 @@ const gnomon_plugin* gnomon_plugin_entry(void) {
       ROW("greedy", &greedy),
       ROW("prints", &prints),
       ROW("fickle", &fickle),
+      ROW("unlucky", &unlucky),
       ROW("slow", &slow),
       ROW("fine", &fine),
       {GNOMON_SHAFT_BOX, GNOMON_NEVER_UNSOUND, "unwritten", NULL, run_unwritten, NULL, NULL},
