@@ -46,7 +46,8 @@ Json read_json(const std::filesystem::path& path) {
 }
 
 void Node::fail(const std::string& expected) const {
-  std::string found = json_->dump(-1, ' ', false, Json::error_handler_t::replace);
+  // ASCII only: a message is one printable line, whatever the file holds.
+  std::string found = json_->dump(-1, ' ', true, Json::error_handler_t::replace);
   if (found.size() > 60) found = found.substr(0, 57) + "...";
   throw scene::InputError(file_, 0, fmt::format("expected {} at {}, found {}", expected, where_, found));
 }

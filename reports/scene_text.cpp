@@ -97,6 +97,7 @@ std::string scene_json(const scene::LoadedScene& loaded, std::string_view file) 
                                {"balls", object.ball_count},
                                {"transmittance", object.transmittance},
                                {"declared_convex", object.declared_convex},
+                               {"one_sided", object.one_sided},
                                {"closed", static_cast<bool>(facts.closed[i])}});
   }
   json["point_lights"] = Json::array();

@@ -20,7 +20,9 @@ using Point = std::array<double, 3>;
 
 class NffReader {
  public:
-  NffReader(std::istream& in, std::string_view name) : reader_(in, name) {}
+  NffReader(std::istream& in, std::string_view name) : reader_(in, name) {
+    builder_.begin_object("", 0, true);  // of the faces before any fill
+  }
 
   LoadedScene read() {
     while (const auto line = reader_.next_content()) {
@@ -90,7 +92,7 @@ class NffReader {
       reader_.fail("a transmittance from 0 to 1", in_quotes(word));
     drop_numbers(words, {"the index of refraction"});
     end_line(words);
-    builder_.begin_object("", transmittance);
+    builder_.begin_object("", transmittance, true);
   }
 
   void read_cone(Tokens& words) {

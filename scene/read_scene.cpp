@@ -29,7 +29,7 @@ LoadedScene read_scene(const std::filesystem::path& path) {
 LoadedScene scene_of(const Mesh& mesh, std::string name) {
   LoadedScene loaded;
   SceneBuilder builder;
-  builder.begin_object(std::move(name), 0);
+  builder.begin_object(std::move(name), 0, false);
   std::vector<std::array<double, 3>> corners;
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     corners.clear();

@@ -24,7 +24,8 @@ namespace gnomon::scene {
 ///
 /// Kept: viewpoint, lights' positions, geometry, and transmittance, which must be from 0 to 1. Colours,
 /// shading and normals must be finite numbers and are dropped. Each fill record starts an object; those with
-/// faces are called "object 1", "object 2", ...; faces before any fill are opaque. Polygons become what
+/// faces are called "object 1", "object 2", ...; faces before any fill are opaque. The format's
+/// polygons have one side, so all objects are one-sided. Polygons become what
 /// triangulate() says; cones and cylinders 2 * kConeSides triangles without end caps, kConeSides when one
 /// radius is 0. A negative radius (two for a cone), by which the format marks what is seen from within alone,
 /// turns a cone's triangles over, and counts as positive for balls, which have no sides. Degenerate faces are

@@ -9,14 +9,14 @@
 
 namespace gnomon::scene {
 
-void SceneBuilder::begin_object(std::string name, double transmittance) {
+void SceneBuilder::begin_object(std::string name, double transmittance, bool one_sided) {
   if (scene_.objects.empty() || scene_.objects.back().face_count() > 0) scene_.objects.emplace_back();
   scene_.objects.back() = {
-      std::move(name), scene_.triangles.size(), 0, scene_.balls.size(), 0, transmittance, false};
+      std::move(name), scene_.triangles.size(), 0, scene_.balls.size(), 0, transmittance, false, one_sided};
 }
 
 Object& SceneBuilder::object() {
-  if (scene_.objects.empty()) begin_object("", 0);
+  if (scene_.objects.empty()) begin_object("", 0, false);
   return scene_.objects.back();
 }
 

@@ -21,7 +21,7 @@ class SceneBuilder {
   SceneBuilder& operator=(const SceneBuilder&) = delete;
 
   /// The faces that follow belong to this object; one without faces is dropped.
-  void begin_object(std::string name, double transmittance);
+  void begin_object(std::string name, double transmittance, bool one_sided);
   /// Throws std::runtime_error when the scene would have more points than indices.
   void add_triangle(const std::array<double, 3>& a, const std::array<double, 3>& b,
                     const std::array<double, 3>& c);

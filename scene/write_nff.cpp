@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "scene/float_text.h"
+#include "scene/printable.h"
 
 namespace gnomon::scene {
 namespace {
@@ -25,15 +26,7 @@ void append_view(std::string& text, const View& view) {
           std::to_string(view.columns) + " " + std::to_string(view.rows) + "\n";
 }
 
-/// A comment must stay on its line.
-std::string printable(std::string_view name) {
-  std::string text(name);
-  for (char& c : text) {
-    if (c < 0x20 || c > 0x7e) c = '?';
-  }
-  return text;
-}
-
+// A comment must stay on its line: names are printable().
 void append_object(std::string& text, const Scene& scene, const Object& object) {
   text += "# " + printable(object.name) + "\nf 1 1 1 1 0 0 " + decimal_text(object.transmittance) + " 1\n";
   for (std::size_t t = object.first_triangle; t < object.first_triangle + object.triangle_count; ++t) {

@@ -288,6 +288,11 @@ TEST_F(Merge, RefusesWhatIsNoResultFile) {
   EXPECT_TRUE(has(complaint("list.json"), "an object"));
   write("words.json", "shaft-box 0 0 0 1 1 1");
   EXPECT_TRUE(has(complaint("words.json"), "expected JSON, parsing stopped"));
+  // One printable line, whatever the file holds: found by the fuzz target read_results.
+  write("odd.json", "\"a\x7f\u00fc\"");
+  EXPECT_TRUE(has(complaint("odd.json"), R"(found "a\u007f\u00fc")"));
+  write("odd.json", R"({"kind": "\u0007\u00fc"})");
+  EXPECT_TRUE(has(complaint("odd.json"), "expected"));
   // Cut anywhere: never a result, never a crash.
   for (std::size_t size = 1; size + 2 < text.size(); size += text.size() / 97) {
     write("cut.json", text.substr(0, size));

@@ -34,15 +34,16 @@ TEST(ReadNff, TakesEveryRecord) {
   EXPECT_EQ(scene.corner(2, 0), (std::array<double, 3>{0, 0, 0}));
   EXPECT_EQ(scene.corner(2, 2), (std::array<double, 3>{0, 1, 0}));
   EXPECT_EQ(scene.points.size(), 7u);
-  EXPECT_EQ(scene.objects,
-            (std::vector<Object>{{"object 1", 0, 2, 0, 1, .25, false}, {"object 2", 2, 1, 1, 1, 0, false}}));
+  EXPECT_EQ(scene.objects, (std::vector<Object>{{"object 1", 0, 2, 0, 1, .25, false, true},
+                                                {"object 2", 2, 1, 1, 1, 0, false, true}}));
   EXPECT_EQ(loaded.polygons, 1u);
   EXPECT_EQ(loaded.crossing_polygons, 0u);
 }
 
 TEST(ReadNff, DropsObjectsWithoutFacesAndTakesFacesBeforeAnyFill) {
   EXPECT_EQ(read_nff_text("s 0 0 0 1\n" + kFill + kFill + kTrianglePolygon + kFill).scene.objects,
-            (std::vector<Object>{{"object 1", 0, 0, 0, 1, 0, false}, {"object 2", 0, 1, 1, 0, .25, false}}));
+            (std::vector<Object>{{"object 1", 0, 0, 0, 1, 0, false, true},
+                                 {"object 2", 0, 1, 1, 0, .25, false, true}}));
 }
 
 TEST(ReadNff, TurnsConesIntoSidesThatShareTheirEdges) {
@@ -214,7 +215,7 @@ TEST(WriteNff, ReadsBackBitForBit) {
 TEST(WriteNff, KeepsObjectsOnTheirLinesAndRefusesPolygonLights) {
   Scene scene = read_nff_text(kTrianglePolygon).scene;
   scene.objects[0].name = "two\nlines \xff";
-  EXPECT_EQ(nff_text(scene), "# two?lines ?\nf 1 1 1 1 0 0 0 1\n" + kTrianglePolygon);
+  EXPECT_EQ(nff_text(scene), "# two\\x0alines \\xff\nf 1 1 1 1 0 0 0 1\n" + kTrianglePolygon);
   scene.polygon_lights.push_back({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}});
   EXPECT_TRUE(is_valid(scene));
   EXPECT_THROW((void)nff_text(scene), std::runtime_error);

@@ -34,6 +34,7 @@ TEST(ReadScene, TakesEveryMeshFormatAndNff) {
   for (const char* name : {"a.off", "a.obj", "a.PLY", "a.stl"}) {
     Scene expected = read_nff_text(kTrianglePolygon).scene;
     expected.objects[0].name = "a";
+    expected.objects[0].one_sided = false;
     const LoadedScene loaded = read_scene(folder / name);
     EXPECT_EQ(loaded.scene, expected) << name;
     EXPECT_TRUE(is_valid(loaded.scene)) << name;
