@@ -9,6 +9,7 @@
 #include "fuzz/shaft_questions.h"
 #include "fuzz/statistics.h"
 #include "reports/environment.h"
+#include "scene/builtin.h"
 
 namespace gnomon::reports {
 
@@ -130,7 +131,14 @@ std::string list_text(const fuzz::Plugins* plugins) {
                         distribution.argument.empty() ? "" : fmt::format("; ARG: {}", distribution.argument));
   }
   text += "\nScene files (gnomon scene): .nff, .off, .obj, .ply, .stl\n";
-  text += "\nNot built in: Embree, EGL, MPI (no question needs them yet); built-in scenes: none yet\n";
+  text +=
+      "\nBuilt-in scenes (NAME or NAME:SIZE; faces at the size that NAME alone has, what SIZE counts):\n\n";
+  for (const scene::BuiltinScene& scene : scene::builtin_scenes()) {
+    text += fmt::format("  {:<16}{}\n  {:<16}{} faces at size {}, at most {}: {}\n  {:<16}stands for: {}\n",
+                        scene.name, scene.summary, "", scene.faces(scene.default_size), scene.default_size,
+                        scene.largest_size, scene.size_means, "", scene.stands_for);
+  }
+  text += "\nNot built in: Embree, EGL, MPI (no question needs them yet)\n";
   return text;
 }
 
@@ -150,6 +158,16 @@ std::string list_json(const fuzz::Plugins* plugins) {
                                      {"least_mix_sphere", mix_json(distribution.least_mix_sphere)}});
   }
   json["scene_files"] = {".nff", ".off", ".obj", ".ply", ".stl"};
+  json["scenes"] = nlohmann::ordered_json::array();
+  for (const scene::BuiltinScene& scene : scene::builtin_scenes()) {
+    json["scenes"].push_back({{"name", scene.name},
+                              {"summary", scene.summary},
+                              {"stands_for", scene.stands_for},
+                              {"size_means", scene.size_means},
+                              {"default_size", scene.default_size},
+                              {"largest_size", scene.largest_size},
+                              {"faces", scene.faces(scene.default_size)}});
+  }
   json["not_built_in"] = {"Embree", "EGL", "MPI"};
   return json.dump(1) + "\n";
 }

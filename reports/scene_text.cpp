@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <vector>
 
+#include "exact/convexity.h"
 #include "scene/cone.h"
 #include "scene/scene_facts.h"
 
@@ -34,15 +37,47 @@ Json view_json(const scene::View& view) {
           {"angle", view.angle}, {"hither", view.hither}, {"resolution", {view.columns, view.rows}}};
 }
 
+/// What the source says of objects' convexity, and what is so.
+struct Convexity {
+  std::vector<bool> exact;  ///< for each object
+  std::size_t declared = 0, wrongly = 0;
+
+  explicit Convexity(const scene::Scene& scene) {
+    for (const scene::Object& object : scene.objects) {
+      exact.push_back(exact::is_convex(scene, object));
+      declared += object.declared_convex ? 1 : 0;
+      wrongly += object.declared_convex && !exact.back() ? 1 : 0;
+    }
+  }
+  [[nodiscard]] std::size_t convex() const {
+    return static_cast<std::size_t>(std::count(exact.begin(), exact.end(), true));
+  }
+};
+
+Json builtin_json(const scene::SizedScene& builtin) {
+  return {{"name", builtin.scene->name},
+          {"size", builtin.size},
+          {"size_means", builtin.scene->size_means},
+          {"summary", builtin.scene->summary},
+          {"stands_for", builtin.scene->stands_for}};
+}
+
 }  // namespace
 
-std::string scene_text(const scene::LoadedScene& loaded, std::string_view file) {
+std::string scene_text(const scene::FoundScene& found, std::string_view name) {
+  const scene::LoadedScene& loaded = found.loaded;
   const scene::Scene& scene = loaded.scene;
   const scene::SceneFacts facts = facts_of(scene);
-  std::string text = fmt::format("{}: {}\n", file, counted(scene.face_count(), "face", "faces"));
+  std::string text = fmt::format("{}: {}\n", name, counted(scene.face_count(), "face", "faces"));
   const auto add = [&text](std::string_view what, const std::string& value) {
     text += fmt::format("  {:<12}{}\n", what, value);
   };
+  if (found.builtin) {
+    const scene::BuiltinScene& builtin = *found.builtin->scene;
+    add("built in", std::string(builtin.summary));
+    add("", fmt::format("size {}: {}", found.builtin->size, builtin.size_means));
+    add("", fmt::format("stands for: {}", builtin.stands_for));
+  }
   add("triangles",
       fmt::format("{} on {}", scene.triangles.size(), counted(scene.points.size(), "point", "points")));
   if (loaded.polygons > 0) {
@@ -61,6 +96,10 @@ std::string scene_text(const scene::LoadedScene& loaded, std::string_view file) 
   const std::size_t closed = facts.closed_objects();
   add("objects",
       fmt::format("{}: {} closed, {} open", scene.objects.size(), closed, scene.objects.size() - closed));
+  const Convexity convexity(scene);
+  add("convex", fmt::format("{} declared{}, {} exactly", convexity.declared,
+                            convexity.wrongly == 0 ? "" : fmt::format(" ({} wrongly)", convexity.wrongly),
+                            convexity.convex()));
   add("lights", fmt::format("{}, {}", counted(scene.point_lights.size(), "point", "points"),
                             counted(scene.polygon_lights.size(), "polygon", "polygons")));
   add("extent",
@@ -72,12 +111,15 @@ std::string scene_text(const scene::LoadedScene& loaded, std::string_view file) 
   return text;
 }
 
-std::string scene_json(const scene::LoadedScene& loaded, std::string_view file) {
+std::string scene_json(const scene::FoundScene& found, std::string_view name) {
+  const scene::LoadedScene& loaded = found.loaded;
   const scene::Scene& scene = loaded.scene;
+  const Convexity convexity(scene);
   const scene::SceneFacts facts = facts_of(scene);
   Json json{{"schema", 1},
             {"kind", "scene"},
-            {"file", file},
+            {"file", name},
+            {"builtin", found.builtin ? builtin_json(*found.builtin) : Json()},
             {"faces", scene.face_count()},
             {"triangles", scene.triangles.size()},
             {"balls", scene.balls.size()},
@@ -89,6 +131,9 @@ std::string scene_json(const scene::LoadedScene& loaded, std::string_view file) 
             {"degenerate", facts.degenerate},
             {"duplicate", facts.duplicate},
             {"extent", {{"lo", lo_of(facts.extent)}, {"hi", hi_of(facts.extent)}}}};
+  json["convex"] = {{"declared", convexity.declared},
+                    {"declared_wrongly", convexity.wrongly},
+                    {"exact", convexity.convex()}};
   json["objects"] = Json::array();
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const scene::Object& object = scene.objects[i];
@@ -97,6 +142,7 @@ std::string scene_json(const scene::LoadedScene& loaded, std::string_view file) 
                                {"balls", object.ball_count},
                                {"transmittance", object.transmittance},
                                {"declared_convex", object.declared_convex},
+                               {"convex", static_cast<bool>(convexity.exact[i])},
                                {"one_sided", object.one_sided},
                                {"closed", static_cast<bool>(facts.closed[i])}});
   }

@@ -10,7 +10,7 @@
 #include "reports/scene_text.h"
 #include "scene/atomic_file.h"
 #include "scene/cone.h"
-#include "scene/read_scene.h"
+#include "scene/find_scene.h"
 #include "scene/tokens.h"
 #include "scene/write_nff.h"
 
@@ -18,7 +18,7 @@ namespace gnomon::reports {
 namespace {
 
 struct SceneArguments {
-  std::string file, out;
+  std::string name, out;
   bool json = false;
 };
 
@@ -28,9 +28,17 @@ int run_scene(const SceneArguments& arguments) {
       !scene::equals_ignoring_case(std::filesystem::path(arguments.out).extension().string(), ".nff")) {
     throw std::runtime_error("-o: expected a file name that ends in .nff, found \"" + arguments.out + "\"");
   }
-  const scene::LoadedScene loaded = scene::read_scene(arguments.file);
-  if (!arguments.out.empty()) scene::write_whole_file(arguments.out, nff_text(loaded.scene));
-  std::cout << (arguments.json ? scene_json(loaded, arguments.file) : scene_text(loaded, arguments.file));
+  const scene::FoundScene found = scene::find_scene(arguments.name);
+  const scene::Scene& scene = found.loaded.scene;
+  if (!arguments.out.empty()) {
+    scene::write_whole_file(arguments.out, nff_text(scene));
+    if (const std::size_t polygons = scene.polygon_lights.size(); polygons > 0) {
+      std::cerr << "gnomon: NFF has no polygon lights: " << polygons
+                << (polygons == 1 ? " became a point light" : " became point lights")
+                << " at the mean of the corners\n";
+    }
+  }
+  std::cout << (arguments.json ? scene_json(found, arguments.name) : scene_text(found, arguments.name));
   return 0;
 }
 
@@ -39,7 +47,9 @@ int run_scene(const SceneArguments& arguments) {
 void add_scene_verb(CLI::App& app, std::function<int()>& run) {
   CLI::App* const verb = app.add_subcommand("scene", "Describe a scene, write it as NFF");
   const auto arguments = std::make_shared<SceneArguments>();
-  verb->add_option("file", arguments->file, "a scene: .nff, .off, .obj, .ply or .stl")->required();
+  verb->add_option("scene", arguments->name,
+                   "a file (.nff, .off, .obj, .ply or .stl), or a built-in scene: NAME or NAME:SIZE")
+      ->required();
   verb->add_option("-o,--out", arguments->out, "write the scene here, as NFF: triangles and balls alone");
   verb->add_flag("--json", arguments->json, "the description as JSON, object by object");
   verb->footer(
@@ -50,11 +60,23 @@ void add_scene_verb(CLI::App& app, std::function<int()>& run) {
       "faces\n"
       "that repeat an earlier one. An object is closed when every edge belongs to exactly two of its "
       "triangles.\n"
-      "What is written reads back with the same numbers, bit for bit.\n"
+      "convex: as the source declares, and as is so exactly: the boundary of one convex body, turned "
+      "outward, "
+      "or\n"
+      "one face alone.\n"
+      "What is written reads back with the same numbers, bit for bit; a polygon light becomes a point light "
+      "at\n"
+      "the mean of its corners, unless one stands there.\n"
+      "Built-in scenes are listed, with what SIZE means, by gnomon list; a file of the same name comes "
+      "first: " +
+      std::string(scene::builtin_names()) +
+      ".\n"
       "Examples:\n"
       "  gnomon scene balls.nff\n"
       "  gnomon scene bunny.off -o bunny.nff\n"
-      "  gnomon scene gears.nff --json");
+      "  gnomon scene gears.nff --json\n"
+      "  gnomon scene office-fine\n"
+      "  gnomon scene city:20 -o city.nff");
   verb->final_callback([&run, arguments] { run = [arguments] { return run_scene(*arguments); }; });
 }
 

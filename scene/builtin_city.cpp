@@ -165,7 +165,7 @@ BuiltinScene city_scene() {
   return {"city",
           "blocks of towers, courtyards, gabled houses and slabs, with the sun and two street lamps",
           "blocks along each side of the city",
-          "none in particular: many objects, large and small, outdoors",
+          "no paper's scene: many objects, large and small, outdoors",
           12,
           80,
           faces,

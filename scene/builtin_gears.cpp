@@ -61,7 +61,7 @@ BuiltinScene gears_scene() {
   return {"gears",
           "layers of toothed wheels in mesh: concave polygons",
           "gears along each of three axes",
-          "none in particular: concave objects",
+          "no paper's scene: concave objects",
           4,
           20,
           [](std::uint32_t size) { return std::size_t{size} * size * size * (kGearFaces + kAxleFaces); },

@@ -156,7 +156,10 @@ void Modeller::ceiling_light(const Point2& lo, const Point2& hi, double height) 
   scene().polygon_lights.push_back(
       {{on_lattice({lo[0], lo[1], height}), on_lattice({lo[0], hi[1], height}),
         on_lattice({hi[0], hi[1], height}), on_lattice({hi[0], lo[1], height})}});
-  point_light({(lo[0] + hi[0]) / 2, (lo[1] + hi[1]) / 2, height});
+  // The mean of the corners as they are: one more bit, and so a float.
+  const std::vector<Point3>& corners = scene().polygon_lights.back().corners;
+  scene().point_lights.push_back(
+      {{(corners[0][0] + corners[2][0]) / 2, (corners[0][1] + corners[2][1]) / 2, corners[0][2]}});
 }
 
 void Modeller::view(const Point3& from, const Point3& at, double angle) {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "scene/write_nff.h"
 
+#include <algorithm>
 #include <array>
-#include <stdexcept>
-#include <string_view>
+#include <cmath>
+#include <cstddef>
+#include <vector>
 
 #include "scene/float_text.h"
 #include "scene/printable.h"
@@ -43,14 +45,40 @@ void append_object(std::string& text, const Scene& scene, const Object& object) 
   }
 }
 
+/// Rounded, and within the extent of the corners even where their sum overflows.
+std::array<double, 3> mean_of(const std::vector<std::array<double, 3>>& corners) {
+  const auto count = static_cast<double>(corners.size());
+  std::array<double, 3> mean{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    double sum = 0, sum_of_parts = 0, lo = corners[0][k], hi = lo;
+    for (const std::array<double, 3>& p : corners) {
+      sum += p[k];
+      sum_of_parts += p[k] / count;
+      lo = std::min(lo, p[k]);
+      hi = std::max(hi, p[k]);
+    }
+    mean[k] = std::clamp(std::isfinite(sum) ? sum / count : sum_of_parts, lo, hi);
+  }
+  return mean;
+}
+
 }  // namespace
 
 std::string nff_text(const Scene& scene) {
-  if (!scene.polygon_lights.empty()) throw std::runtime_error("NFF has no polygon lights: not written");
   std::string text;
   if (scene.view) append_view(text, *scene.view);
   for (const PointLight& light : scene.point_lights) {
     text += "l";
+    append_numbers(text, light.position);
+    text += "\n";
+  }
+  for (const PolygonLight& polygon : scene.polygon_lights) {
+    const PointLight light{mean_of(polygon.corners)};
+    if (std::ranges::find(scene.point_lights, light) != scene.point_lights.end()) {
+      text += "# a polygon light: the light at the mean of its corners is among the above\n";
+      continue;
+    }
+    text += "# a polygon light, as a point at the mean of its corners\nl";
     append_numbers(text, light.position);
     text += "\n";
   }

@@ -31,6 +31,7 @@ TEST(CommandLineScene, DescribesAScene) {
             "  degenerate  0\n"
             "  duplicate   1\n"
             "  objects     2: 1 closed, 1 open\n"
+            "  convex      0 declared, 0 exactly\n"
             "  lights      1 point, 0 polygons\n"
             "  extent      from (-1, -1, -0.1) to (4, 4, 1)\n"
             "  view        from (2, 1, 1) at (0, 0, 0), 45 degrees, 8 x 6\n");
@@ -70,6 +71,102 @@ TEST(CommandLineScene, WritesNffThatSaysTheSame) {
   EXPECT_EQ(before, after);
 }
 
+TEST(CommandLineScene, DescribesABuiltInScene) {
+  const Folder folder;
+  const Outcome text = run_gnomon({"scene", "gears:1"}, folder.path());
+  EXPECT_EQ(text.status, 0);
+  EXPECT_EQ(text.err, "");
+  EXPECT_EQ(text.out,
+            "gears:1: 360 faces\n"
+            "  built in    layers of toothed wheels in mesh: concave polygons\n"
+            "              size 1: gears along each of three axes\n"
+            "              stands for: no paper's scene: concave objects\n"
+            "  triangles   360 on 184 points\n"
+            "  balls       0\n"
+            "  degenerate  0\n"
+            "  duplicate   0\n"
+            "  objects     2: 2 closed, 0 open\n"
+            "  convex      1 declared, 1 exactly\n"
+            "  lights      3 points, 0 polygons\n"
+            "  extent      from (-1.06177, -1.06177, 0) to (1.06177, 1.06177, 1)\n"
+            "  view        from (-1.25, -2, 3) at (0.875, 0.75, 0.25), 45 degrees, 512 x 512\n");
+  const json described = json::parse(run_gnomon({"scene", "office", "--json"}, folder.path()).out);
+  EXPECT_EQ(described.at("file"), "office");
+  EXPECT_EQ(described.at("builtin").at("name"), "office");
+  EXPECT_EQ(described.at("builtin").at("size"), 2);
+  std::size_t declared = 0, exact = 0;
+  for (const json& object : described.at("objects")) {
+    declared += object.at("declared_convex").get<bool>() ? 1 : 0;
+    exact += object.at("convex").get<bool>() ? 1 : 0;
+  }
+  EXPECT_EQ(described.at("convex"),
+            (json{{"declared", declared}, {"declared_wrongly", 0}, {"exact", exact}}));
+  EXPECT_GT(exact, 100u);
+  EXPECT_LT(exact, described.at("objects").size());
+}
+
+TEST(CommandLineScene, ListsBuiltInScenes) {
+  const Folder folder;
+  const std::string text = run_gnomon({"list"}).out;
+  const json listed = json::parse(run_gnomon({"list", "--json"}).out);
+  EXPECT_GE(listed.at("scenes").size(), 14u);
+  for (const json& scene : listed.at("scenes")) {
+    const std::string name = scene.at("name");
+    EXPECT_NE(text.find("\n  " + name + " "), std::string::npos) << name;
+    EXPECT_NE(text.find(" " + std::to_string(scene.at("faces").get<std::size_t>()) + " faces at size " +
+                        std::to_string(scene.at("default_size").get<int>()) + ","),
+              std::string::npos)
+        << name;
+    for (const char* key : {"summary", "stands_for", "size_means"}) {
+      EXPECT_NE(text.find(scene.at(key).get<std::string>()), std::string::npos) << name;
+    }
+  }
+  // The number listed is the number described.
+  const json described = json::parse(run_gnomon({"scene", "tree", "--json"}, folder.path()).out);
+  for (const json& scene : listed.at("scenes")) {
+    if (scene.at("name") == "tree") {
+      EXPECT_EQ(scene.at("faces"), described.at("faces"));
+    }
+  }
+}
+
+TEST(CommandLineScene, WritesABuiltInSceneAndSaysWhatBecomesOfItsLights) {
+  const Folder folder;
+  const Outcome first = run_gnomon({"scene", "office:1", "-o", "o.nff", "--json"}, folder.path());
+  ASSERT_EQ(first.status, 0) << first.err;
+  EXPECT_EQ(first.err,
+            "gnomon: NFF has no polygon lights: 10 became point lights at the mean of the corners\n");
+  const Outcome second = run_gnomon({"scene", "o.nff", "--json"}, folder.path());
+  EXPECT_EQ(second.err, "");
+  const json before = json::parse(first.out), after = json::parse(second.out);
+  EXPECT_EQ(before.at("polygon_lights").size(), 10u);
+  EXPECT_TRUE(after.at("polygon_lights").empty());
+  // A point light stands at each mean already: none is written twice.
+  EXPECT_EQ(before.at("point_lights"), after.at("point_lights"));
+  for (const char* key : {"faces", "points", "degenerate", "duplicate", "extent", "view"}) {
+    EXPECT_EQ(before.at(key), after.at(key)) << key;
+  }
+  EXPECT_EQ(before.at("convex").at("exact"), after.at("convex").at("exact"));
+  EXPECT_EQ(after.at("convex").at("declared"), 0);
+  EXPECT_TRUE(after.at("builtin").is_null());
+}
+
+TEST(CommandLineScene, TakesAFileBeforeABuiltInScene) {
+  const Folder folder;
+  std::filesystem::create_directory(folder.path() / "city");
+  EXPECT_EQ(run_gnomon({"scene", "city:1"}, folder.path()).status, 0);
+  EXPECT_EQ(run_gnomon({"scene", "city"}, folder.path()).out.rfind("city: ", 0), 0u);
+  folder.write("office:2.nff", "s 0 0 0 1\n");
+  EXPECT_EQ(run_gnomon({"scene", "office:2.nff"}, folder.path()).out.rfind("office:2.nff: 1 face\n", 0), 0u);
+  folder.write("tree", "s 0 0 0 1\n");
+  const Outcome hidden = run_gnomon({"scene", "tree"}, folder.path());
+  EXPECT_EQ(hidden.status, 2);
+  EXPECT_EQ(
+      hidden.err,
+      "gnomon: tree: expected the extension .nff, .off, .obj, .ply or .stl, found none: this file hides "
+      "the built-in scene of that name\n");
+}
+
 TEST(CommandLineScene, RefusesBadInputInOneLineAndWritesNothing) {
   const Folder folder;
   folder.write("bad.nff", "s 0 0 0 1\np 3\n0 0 0\n1 0 0\n");
@@ -81,6 +178,11 @@ TEST(CommandLineScene, RefusesBadInputInOneLineAndWritesNothing) {
       {{"scene", "none.nff"}, "gnomon: none.nff: expected a file, found none\n"},
       {{"scene", "good.nff", "-o", "o.off"},
        "gnomon: -o: expected a file name that ends in .nff, found \"o.off\"\n"},
+      {{"scene", "office:0", "-o", "o.nff"},
+       "gnomon: office:0: expected a size from 1 to 60 after \"office:\", found \"0\"\n"},
+      {{"scene", "offices"},
+       "gnomon: offices: expected a file or a built-in scene (office, office-fine, sphereflake, tetra, tree, "
+       "gears, chessboard, cards, gazebo, living-room, classroom, floor, temple, city), found neither\n"},
       {{"scene", "good.nff", "-o", ""}, "gnomon: --out: expected a value, found \"\"; see gnomon --help\n"},
   };
   for (const auto& [arguments, said] : calls) {

@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <random>
 
@@ -212,13 +213,32 @@ TEST(WriteNff, ReadsBackBitForBit) {
   EXPECT_GT(scene.triangles.size(), 60 * 2 * kConeSides);
 }
 
-TEST(WriteNff, KeepsObjectsOnTheirLinesAndRefusesPolygonLights) {
+TEST(WriteNff, KeepsObjectsOnTheirLines) {
   Scene scene = read_nff_text(kTrianglePolygon).scene;
   scene.objects[0].name = "two\nlines \xff";
   EXPECT_EQ(nff_text(scene), "# two\\x0alines \\xff\nf 1 1 1 1 0 0 0 1\n" + kTrianglePolygon);
-  scene.polygon_lights.push_back({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}});
-  EXPECT_TRUE(is_valid(scene));
-  EXPECT_THROW((void)nff_text(scene), std::runtime_error);
+}
+
+TEST(WriteNff, MakesPointLightsOfPolygonLights) {
+  Scene scene = read_nff_text(kTrianglePolygon).scene;
+  scene.point_lights = {{{1, 2, 3}}};
+  scene.polygon_lights.push_back({{{0, 0, 4}, {2, 0, 4}, {2, 2, 4}, {0, 2, 4}}});
+  scene.polygon_lights.push_back({{{1, 2, 2}, {1, 2, 4}, {0, 1, 3}, {2, 3, 3}}});
+  // Sums of corners overflow, their mean doesn't.
+  constexpr double kHuge = std::numeric_limits<double>::max();
+  scene.polygon_lights.push_back({{{kHuge, kHuge, 0}, {kHuge, -kHuge, 0}, {kHuge, kHuge, 0}}});
+  ASSERT_TRUE(is_valid(scene));
+  const std::string written = nff_text(scene);
+  EXPECT_EQ(written.substr(0, written.find("# object")),
+            "l 1 2 3\n"
+            "# a polygon light, as a point at the mean of its corners\nl 1 1 4\n"
+            "# a polygon light: the light at the mean of its corners is among the above\n"
+            "# a polygon light, as a point at the mean of its corners\nl 1.7976931348623157e+308 "
+            "5.992310449541053e+307 0\n");
+  const Scene again = read_nff_text(written).scene;
+  EXPECT_EQ(again.point_lights.size(), 3u);
+  EXPECT_TRUE(again.polygon_lights.empty());
+  EXPECT_EQ(again.triangles, scene.triangles);
 }
 
 TEST(ReadNff, TakesALargeFile) {
