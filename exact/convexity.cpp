@@ -89,7 +89,7 @@ struct Edge {
   bool upward;         ///< it runs from low to high
 
   friend bool operator<(const Edge& a, const Edge& b) {
-    return std::tie(a.low, a.high, a.upward) < std::tie(b.low, b.high, b.upward);
+    return std::tie(a.low, a.high, a.upward, a.triangle) < std::tie(b.low, b.high, b.upward, b.triangle);
   }
 };
 
@@ -106,13 +106,13 @@ std::vector<Edge> edges_of(Triangles triangles) {
   return edges;
 }
 
-/// Each edge is in exactly two triangles, in opposite directions. Edges are sorted, downward ones first.
+/// Each edge is in exactly two triangles, in opposite directions. Edges are sorted, downward ones first: of
+/// four with the same ends, the first two run the same way.
 bool are_closed(const std::vector<Edge>& edges) {
   if (edges.size() % 2 != 0) return false;
   const auto same_ends = [](const Edge& a, const Edge& b) { return a.low == b.low && a.high == b.high; };
   for (std::size_t i = 0; i < edges.size(); i += 2) {
     if (!same_ends(edges[i], edges[i + 1]) || edges[i].upward || !edges[i + 1].upward) return false;
-    if (i + 2 < edges.size() && same_ends(edges[i], edges[i + 2])) return false;
   }
   return true;
 }

@@ -37,15 +37,35 @@ void add_fan(Faces& faces, const std::vector<Point>& polygon) {
   for (std::size_t k = 2; k < polygon.size(); ++k) faces.push_back({polygon[0], polygon[k - 1], polygon[k]});
 }
 
-/// The prism on a polygon in the plane z = 0, counterclockwise from above, whose caps are fans around points.
-Faces prism(const std::vector<std::array<double, 2>>& outline, const std::array<double, 2>& middle) {
+using Point2 = std::array<double, 2>;
+
+/// The prism on lines in the plane z = 0, each counterclockwise from above, whose caps are fans around
+/// points.
+Faces prism_on(const std::vector<std::array<Point2, 2>>& lines, const Point2& middle) {
   Faces faces;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const auto &p = outline[i], &q = outline[(i + 1) % outline.size()];
+  for (const auto& [p, q] : lines) {
     const Point a{p[0], p[1], 0}, b{q[0], q[1], 0}, c{q[0], q[1], 1}, d{p[0], p[1], 1};
     add_fan(faces, {a, b, c, d});
     faces.push_back({Point{middle[0], middle[1], 1}, d, c});
     faces.push_back({Point{middle[0], middle[1], 0}, b, a});
+  }
+  return faces;
+}
+
+Faces prism(const std::vector<Point2>& outline, const Point2& middle) {
+  std::vector<std::array<Point2, 2>> lines;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    lines.push_back({outline[i], outline[(i + 1) % outline.size()]});
+  }
+  return prism_on(lines, middle);
+}
+
+/// All coordinates times factors: for numbers whose products no double holds.
+Faces scaled(Faces faces, const Point& factors) {
+  for (auto& face : faces) {
+    for (Point& p : face) {
+      for (std::size_t k = 0; k < 3; ++k) p[k] *= factors[k];
+    }
   }
   return faces;
 }
@@ -80,7 +100,7 @@ Faces joined(Faces a, const Faces& b) {
   return a;
 }
 
-const std::vector<std::array<double, 2>> kPentagon{{4, 0}, {1, 4}, {-3, 2}, {-3, -2}, {1, -4}};
+const std::vector<Point2> kPentagon{{4, 0}, {1, 4}, {-3, 2}, {-3, -2}, {1, -4}};
 
 TEST(Convexity, KnowsBodies) {
   EXPECT_TRUE(convex(box({0, 0, 0}, {1, 2, 3})));
@@ -144,19 +164,56 @@ TEST(Convexity, RefusesSeveralBodies) {
   EXPECT_FALSE(convex(joined(cube, box({1, 0, 0}, {2, 1, 1}))));  // and a side
 }
 
+/// Whichever face comes first, on which the ray and its origin depend.
+void expect_refused_from_every_face(Faces faces) {
+  for (std::size_t k = 0; k < 2 * faces.size(); ++k) {
+    std::ranges::rotate(faces, faces.begin() + 1);
+    if (k == faces.size()) std::ranges::reverse(faces);
+    EXPECT_FALSE(convex(faces)) << k;
+  }
+}
+
 TEST(Convexity, RefusesPentagramsThatWindTwice) {
-  std::vector<std::array<double, 2>> star;
+  std::vector<Point2> star;
   for (std::size_t k = 0; k < 5; ++k) star.push_back(kPentagon[2 * k % 5]);
-  const Faces faces = prism(star, {0, 0});
   // Every edge is convex and every triangle faces outward: only the count along a ray tells.
-  EXPECT_FALSE(convex(faces));
+  expect_refused_from_every_face(prism(star, {0, 0}));
   Faces pyramid;
   for (std::size_t i = 0; i < 5; ++i) {
     const auto &p = star[i], &q = star[(i + 1) % 5];
     pyramid.push_back({Point{p[0], p[1], 0}, Point{q[0], q[1], 0}, Point{0, 0, 1}});
     pyramid.push_back({Point{q[0], q[1], 0}, Point{p[0], p[1], 0}, Point{0, 0, -1}});
   }
-  EXPECT_FALSE(convex(pyramid));
+  expect_refused_from_every_face(pyramid);
+}
+
+TEST(Convexity, CountsTouchingAlongTheRay) {
+  // A loop within a loop, as of a snail's shell. From the mean of (3, 3, 0), (-3, 3, 0), (-3, 3, 1) and
+  // (-1, 1, 1) the ray through the first three meets the outer loop on the edge at (-1, 3.5) exactly.
+  const std::vector<Point2> snail{{3, 3},    {-3, 3},    {-3, -2},   {10, -10}, {10, 3.5},
+                                  {-1, 3.5}, {-10, 3.5}, {-10, -10}, {3, -4}};
+  const Faces faces = prism(snail, {-1, 1});
+  EXPECT_FALSE(convex(faces));
+  EXPECT_FALSE(convex(scaled(faces, {0x1.23456789abcp+0, 0x1.fedcba98765p+0, 0x1.3579bdf0246p+0})));
+  expect_refused_from_every_face(faces);
+}
+
+TEST(Convexity, RefusesFolds) {
+  // Along the upper right the boundary runs to (2, 6), back to (2, 3), and on: three times over, and each
+  // part faces outward.
+  const std::vector<std::array<Point2, 2>> lines{
+      {{{-4, 2}, {-4, -4}}}, {{{-4, -4}, {4, -4}}}, {{{4, -4}, {4, 2}}}, {{{4, 2}, {2, 6}}},
+      {{{2, 3}, {2, 6}}},    {{{2, 3}, {-1, 3}}},   {{{-1, 3}, {-4, 2}}}};
+  expect_refused_from_every_face(prism_on(lines, {0, 0}));
+}
+
+TEST(Convexity, KnowsFlatTrianglesWhoseProductsAreRounded) {
+  const Point a{0, 0, 0}, m{0.1, 0.3, 0.7}, b{0.2, 0.6, 1.4}, c{1, 0, 0}, d{0, 1, 0};
+  const Faces filled{{{a, d, b}}, {{d, c, b}}, {{d, a, c}}, {{c, a, m}}, {{c, m, b}}, {{a, b, m}}};
+  EXPECT_FALSE(convex(filled));
+  EXPECT_FALSE(convex(turned_over(filled)));
+  const Faces split{{{a, d, m}}, {{m, d, b}}, {{d, c, b}}, {{d, a, c}}, {{c, a, m}}, {{c, m, b}}};
+  EXPECT_NE(convex(split), convex(turned_over(split)));
 }
 
 TEST(Convexity, SeesADentOfOneUlp) {
@@ -212,7 +269,7 @@ TEST(Convexity, AgreesWithTheDefinitionOnHullsAndTheirPerturbations) {
   std::uniform_real_distribution<double> uniform(-1, 1);
   int convex_ones = 0, others = 0;
   for (int trial = 0; trial < 150; ++trial) {
-    std::vector<Point> points(4 + trial % 6);
+    std::vector<Point> points(4 + static_cast<std::size_t>(trial % 6));
     for (Point& p : points) {
       for (double& x : p) x = trial % 3 == 0 ? std::floor(4 * uniform(random)) : uniform(random);
     }
