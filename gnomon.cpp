@@ -333,7 +333,7 @@ int main(int argc, char** argv) {
   bool list_as_json = false;
   PluginArguments plugins;  // of the verb that runs
 
-  CLI::App* list = app.add_subcommand("list", "Questions, methods with their promises, distributions");
+  CLI::App* list = app.add_subcommand("list", "Questions, methods with their promises, distributions, built-in scenes");
   list->add_flag("--json", list_as_json, "as JSON");
   plugins.add_to(list);
   list->final_callback([&] { run = [&] { return run_list(list_as_json, plugins); }; });

@@ -67,10 +67,10 @@ void add_scene_verb(CLI::App& app, std::function<int()>& run) {
       "What is written reads back with the same numbers, bit for bit; a polygon light becomes a point light "
       "at\n"
       "the mean of its corners, unless one stands there.\n"
-      "Built-in scenes are listed, with what SIZE means, by gnomon list; a file of the same name comes "
-      "first: " +
+      "Built-in scenes (a file of the same name comes first; gnomon list says more, and what SIZE counts):\n"
+      "  " +
       std::string(scene::builtin_names()) +
-      ".\n"
+      "\n"
       "Examples:\n"
       "  gnomon scene balls.nff\n"
       "  gnomon scene bunny.off -o bunny.nff\n"
