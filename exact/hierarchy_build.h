@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Builds the nodes of exact/hierarchy.h. Internal to exact/.
+#pragma once
+
+#include <vector>
+
+#include "exact/wide_node.h"
+#include "scene/scene.h"
+
+namespace gnomon::exact {
+
+/// No leaf has more faces.
+inline constexpr std::uint32_t kMostInLeaf = 4;
+/// No path from the root has more nodes.
+inline constexpr std::size_t kMostLevels = 80;
+
+struct BuiltHierarchy {
+  Frame frame;
+  std::vector<WideNode> nodes;  ///< the root first; none for a scene without faces
+  std::vector<LeafFace> faces;
+};
+
+/// A hierarchy over all faces of a valid scene, split where the binned surface area heuristic says (Wald:
+/// "On fast construction of SAH-based bounding volume hierarchies", 2007).
+[[nodiscard]] BuiltHierarchy build_hierarchy(const scene::Scene& scene);
+
+}  // namespace gnomon::exact
