@@ -110,11 +110,16 @@ class Definition {
   /// along the path itself says nothing.
   [[nodiscard]] bool frees(const Rational3& move, const std::vector<std::uint32_t>& triangles) const {
     if (vector_product(move, path_.direction) == Rational3{0, 0, 0}) return false;
-    mpq_class little = 1;
+    // A move far smaller than the path, whatever the scale of both.
+    mpq_class little = largest(path_.direction) / largest(move);
     mpq_div_2exp(little.get_mpq_t(), little.get_mpq_t(), 300);
     const Definition moved(scene_, {path_.origin + little * move, path_.direction, path_.bounded});
     return std::all_of(triangles.begin(), triangles.end(),
                        [&](std::uint32_t triangle) { return moved.meeting(triangle) <= Meeting::end; });
+  }
+
+  [[nodiscard]] static mpq_class largest(const Rational3& v) {
+    return std::max({mpq_class(abs(v[0])), mpq_class(abs(v[1])), mpq_class(abs(v[2]))});
   }
 
   const scene::Scene& scene_;
@@ -138,7 +143,8 @@ inline exact::ShadowTruth shadow_by_definition(const scene::Scene& scene, const 
         owner = &object;
     }
     const Rational3 a = rational(scene.corner(q.own, 0));
-    const Rational3 n = vector_product(rational(scene.corner(q.own, 1)) - a, rational(scene.corner(q.own, 2)) - a);
+    const Rational3 n =
+        vector_product(rational(scene.corner(q.own, 1)) - a, rational(scene.corner(q.own, 2)) - a);
     const int facing = sgn(scalar_product(n, path.direction));
     if (owner->one_sided && facing < 0) return {scene::Shadow::facing, false};
     zero_facing = owner->one_sided && facing == 0 && n != Rational3{0, 0, 0};

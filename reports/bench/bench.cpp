@@ -5,6 +5,8 @@
 //     paired rounds, medians and ratios, as text
 //   gnomon_bench box-and-ball [--rounds N] [--items N]
 //     the same of the paper's tests, one item at a time
+//   gnomon_bench shadow-truth [--rounds N] [--queries N] [--most TRIANGLES]
+//     the exact shadow reference next to CGAL's AABB_tree
 //   gnomon_bench [--benchmark_...]
 //     Google Benchmark on the workloads of the table
 #include <benchmark/benchmark.h>
@@ -22,6 +24,7 @@
 #include "reports/bench/batch_data.h"
 #include "reports/bench/box_and_ball.h"
 #include "reports/bench/paired.h"
+#include "reports/bench/shadow_truth.h"
 
 namespace gnomon::bench {
 
@@ -262,7 +265,8 @@ void register_all() {
 int usage() {
   std::fprintf(stderr,
                "usage: gnomon_bench table [--rounds N] [--boxes] [--balls] [--most COUNT]\n"
-               "       gnomon_bench box-and-ball [--rounds N] [--items N]\n");
+               "       gnomon_bench box-and-ball [--rounds N] [--items N]\n"
+               "       gnomon_bench shadow-truth [--rounds N] [--queries N] [--most TRIANGLES]\n");
   return 2;
 }
 
@@ -279,10 +283,31 @@ int box_and_ball(int argc, char** argv) {
   return 0;
 }
 
+int shadow_truth(int argc, char** argv) {
+  ShadowTruthOptions options;
+  for (int i = 2; i < argc; i += 2) {
+    const std::string option = argv[i];
+    const int number = i + 1 < argc ? std::atoi(argv[i + 1]) : 0;
+    if (number < 1) return usage();
+    if (option == "--rounds") {
+      options.rounds = number;
+    } else if (option == "--queries") {
+      options.queries = static_cast<std::size_t>(number);
+    } else if (option == "--most") {
+      options.most = static_cast<std::size_t>(number);
+    } else {
+      return usage();
+    }
+  }
+  print_shadow_truth(options);
+  return 0;
+}
+
 }  // namespace
 
 int run(int argc, char** argv) {
   if (argc >= 2 && std::strcmp(argv[1], "box-and-ball") == 0) return box_and_ball(argc, argv);
+  if (argc >= 2 && std::strcmp(argv[1], "shadow-truth") == 0) return shadow_truth(argc, argv);
   if (argc < 2 || std::strcmp(argv[1], "table") != 0) {
     register_all();
     benchmark::Initialize(&argc, argv);
