@@ -57,8 +57,8 @@ Scene spheres(std::size_t triangles) {
   builder.add_triangle({-1, -1, 0}, {2, 2, 0}, {-1, 2, 0});
   for (int s = 0; s < kSpheres; ++s) {
     fuzz::CaseRandom random(5, 7, static_cast<std::uint64_t>(s));
-    const double r = 0.03 + 0.05 * random.unit(), cx = random.unit(), cy = random.unit(),
-                 cz = r + 0.2 * random.unit();
+    const double r = 0.03 + 0.05 * random.unit<double>(), cx = random.unit<double>(),
+                 cy = random.unit<double>(), cz = r + 0.2 * random.unit<double>();
     const auto at = [&](int i, int j) {
       const double polar = M_PI * i / rows, around = M_PI * (j % (2 * rows)) / rows;
       return as_floats(cx + r * std::sin(polar) * std::cos(around),
@@ -112,7 +112,8 @@ std::vector<ShadowQuery> image_queries(const Scene& scene, const exact::Hierarch
 void shuffle(std::vector<ShadowQuery>& queries) {
   for (std::size_t i = queries.size(); i > 1; --i) {
     fuzz::CaseRandom random(9, 1, i);
-    std::swap(queries[i - 1], queries[static_cast<std::size_t>(random.unit() * static_cast<double>(i))]);
+    std::swap(queries[i - 1],
+              queries[static_cast<std::size_t>(random.unit<double>() * static_cast<double>(i))]);
   }
 }
 
