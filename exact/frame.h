@@ -11,20 +11,29 @@ namespace gnomon::exact {
 
 inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-/// The nearest float, infinite only beyond all floats.
+/// The nearest float, but finite.
 [[nodiscard]] inline float nearest_float(double x) {
   constexpr double kLargest = std::numeric_limits<float>::max();
-  if (std::fabs(x) <= kLargest) return static_cast<float>(x);
-  return x > 0 ? kInfinity : -kInfinity;
+  return static_cast<float>(x > kLargest ? kLargest : x < -kLargest ? -kLargest : x);
+}
+
+/// At least (at most) one float up or down, and at most two. Where |x| 2^-23 underflows, adding the least
+/// denormal is exact.
+[[nodiscard]] inline float stepped_up(float x) {
+  return x + (std::fabs(x) * 0x1p-23f + std::numeric_limits<float>::denorm_min());
+}
+[[nodiscard]] inline float stepped_down(float x) {
+  return x - (std::fabs(x) * 0x1p-23f + std::numeric_limits<float>::denorm_min());
 }
 
 /// A float below (above) every number that rounds to x in double precision: the neighbour of the nearest
-/// float is off by at least as much again as the nearest one, and a double's rounding is far less.
+/// float is off by at least as much again as the nearest one, and a double's rounding is far less. Infinite
+/// only next to the largest floats.
 [[nodiscard]] inline float float_below(double x) {
-  return std::nextafter(nearest_float(x), -kInfinity);
+  return stepped_down(nearest_float(x));
 }
 [[nodiscard]] inline float float_above(double x) {
-  return std::nextafter(nearest_float(x), kInfinity);
+  return stepped_up(nearest_float(x));
 }
 
 /// x -> (x - centre) * scale, scale a power of two: so that a scene far from 0 or of any size has use of all

@@ -46,6 +46,11 @@ class Stack {
   std::size_t size_ = 0;
 };
 
+/// An own ball has a rule that asks for its centre alone: its box may be anywhere.
+bool is_own_ball(const Scene& scene, std::uint32_t own) {
+  return own != scene::kNoFace && own >= scene.triangles.size();
+}
+
 template <class Counters>
 class ShadowWalk {
  public:
@@ -58,6 +63,11 @@ class ShadowWalk {
     const Path path(query_);
     ShadowFold fold(scene_, path, facing == 0);
     if (built_.nodes.empty()) return fold.truth();
+    if (is_own_ball(scene_, query_.own)) {
+      counters_.add_exact_face();
+      fold.add(query_.own, contact(scene_, query_.own, query_));
+      if (fold.settled()) return fold.truth();
+    }
     const BoxPath box_path(built_.frame, path);
     const PathFilter filter(path);
     Stack<std::uint32_t> stack;
@@ -65,14 +75,29 @@ class ShadowWalk {
     for (;;) {
       const WideNode& node = built_.nodes[at];
       counters_.add_boxes(static_cast<unsigned>(std::popcount(node.used)));
-      for (unsigned mask = box_path.test(node, 1).mask; mask != 0; mask &= mask - 1) {
+      const BoxPath::Boxes boxes = box_path.test(node, 1);
+      float nearest = kInfinity;
+      std::uint32_t next = 0;
+      for (unsigned mask = boxes.mask; mask != 0; mask &= mask - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(mask));
-        if (node.count[lane] == 0) {
-          stack.push(node.first[lane]);
-        } else {
-          leaf(node.first[lane], node.count[lane], filter, fold);
+        const std::uint32_t first = node.first[lane];
+        if (node.count[lane] != 0) {
+          leaf(first, node.count[lane], filter, fold);
           if (fold.settled()) return fold.truth();
+        } else if (next == 0) {
+          next = first;
+          nearest = boxes.near[lane];
+        } else if (boxes.near[lane] < nearest) {
+          stack.push(next);
+          next = first;
+          nearest = boxes.near[lane];
+        } else {
+          stack.push(first);
         }
+      }
+      if (next != 0) {
+        at = next;
+        continue;
       }
       if (stack.empty()) return fold.truth();
       at = stack.pop();
@@ -84,16 +109,13 @@ class ShadowWalk {
     for (std::uint32_t i = first; i < first + count; ++i) {
       const LeafFace& leaf = built_.faces[i];
       counters_.add_face();
-      if (leaf.face != query_.own) {
-        const Certain certain =
-            leaf.face < scene_.triangles.size() ? filter.triangle(leaf.c).certain : filter.ball(leaf.c);
-        if (certain == Certain::none) continue;
-        if (certain == Certain::plain) {
-          fold.add_plain();
-          return;
-        }
-      } else if (leaf.face < scene_.triangles.size()) {
-        continue;
+      if (leaf.face == query_.own) continue;
+      const Certain certain =
+          leaf.face < scene_.triangles.size() ? filter.triangle(leaf.c).certain : filter.ball(leaf.c);
+      if (certain == Certain::none) continue;
+      if (certain == Certain::plain) {
+        fold.add_plain();
+        return;
       }
       counters_.add_exact_face();
       fold.add(leaf.face, contact(scene_, leaf.face, query_));
@@ -122,6 +144,10 @@ class FirstHitWalk {
   FirstHit run() {
     FirstHitFold fold(scene_, ray_);
     if (built_.nodes.empty()) return fold.result();
+    if (is_own_ball(scene_, ray_.own)) {
+      counters_.add_exact_face();
+      fold.add(ray_.own, contact(scene_, ray_.own, ray_));
+    }
     const Path path(ray_);
     const BoxPath box_path(built_.frame, path);
     const PathFilter filter(path);
@@ -158,18 +184,15 @@ class FirstHitWalk {
     for (std::uint32_t i = first; i < first + count; ++i) {
       const LeafFace& leaf = built_.faces[i];
       counters_.add_face();
-      if (leaf.face != ray_.own) {
-        if (leaf.face < scene_.triangles.size()) {
-          const PathFilter::TriangleResult result = filter.triangle(leaf.c);
-          if (result.certain == Certain::none) continue;
-          if (result.certain == Certain::plain) {
-            if (result.t.lo <= fold.latest()) fold.add(leaf.face, {ContactKind::plain}, result.t);
-            continue;
-          }
-        } else if (filter.ball(leaf.c) == Certain::none) {
+      if (leaf.face == ray_.own) continue;
+      if (leaf.face < scene_.triangles.size()) {
+        const PathFilter::TriangleResult result = filter.triangle(leaf.c);
+        if (result.certain == Certain::none) continue;
+        if (result.certain == Certain::plain) {
+          if (result.t.lo <= fold.latest()) fold.add(leaf.face, {ContactKind::plain}, result.t);
           continue;
         }
-      } else if (leaf.face < scene_.triangles.size()) {
+      } else if (filter.ball(leaf.c) == Certain::none) {
         continue;
       }
       counters_.add_exact_face();

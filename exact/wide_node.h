@@ -53,19 +53,19 @@ class BoxPath {
       const bool backwards = unscaled < 0;  // of the exact difference, too
       near_side_[i] = static_cast<std::uint8_t>(2 * i + (backwards ? 1 : 0));
       const float below = float_below(start), above = float_above(start);
-      near_origin_[i] = backwards ? below : above;
-      far_origin_[i] = backwards ? above : below;
+      near_origin_[i] = all(backwards ? below : above);
+      far_origin_[i] = all(backwards ? above : below);
       if (unscaled == 0) {
-        near_inverse_[i] = far_inverse_[i] = kInfinity;
+        near_inverse_[i] = far_inverse_[i] = all(kInfinity);
       } else if (!(std::fabs(d) <= 1e300 && std::fabs(d) >= 1e-290)) {
         // Over- or underflow may have hit d or will hit 1 / d: only the side that the path leaves by counts.
-        near_inverse_[i] = 0;
-        far_inverse_[i] = backwards ? -kInfinity : kInfinity;
+        near_inverse_[i] = all(0);
+        far_inverse_[i] = all(backwards ? -kInfinity : kInfinity);
       } else {
         const double inverse = 1 / std::fabs(d);
-        const float least = std::max(0.0f, float_below(inverse)), greatest = float_above(inverse);
-        near_inverse_[i] = backwards ? -least : least;
-        far_inverse_[i] = backwards ? -greatest : greatest;
+        const float least = std::max(0.0f, float_below(inverse)), greatest = float_above(inverse * kWiden);
+        near_inverse_[i] = all(backwards ? -least : least);
+        far_inverse_[i] = all(backwards ? -greatest : greatest);
       }
     }
   }
@@ -77,14 +77,14 @@ class BoxPath {
 
   /// The children whose boxes can't be left out.
   [[nodiscard]] Boxes test(const WideNode& node, float latest) const {
-    Float4 near = {0, 0, 0, 0}, far = {latest, latest, latest, latest};
+    Float4 near = all(0), far = all(latest * kWiden);
     for (std::size_t i = 0; i < 3; ++i) {
       const Float4 in = (node.sides[near_side_[i]] - near_origin_[i]) * near_inverse_[i];
       const Float4 out = (node.sides[near_side_[i] ^ 1u] - far_origin_[i]) * far_inverse_[i];
       near = in > near ? in : near;
       far = out < far ? out : far;
     }
-    const Int4 open = near <= far * kWiden + kTiny;
+    const Int4 open = near <= far + kTiny;
     return {mask_of(open) & node.used, near};
   }
 
@@ -94,6 +94,8 @@ class BoxPath {
  private:
   static constexpr float kWiden = 1 + 0x1p-20f, kTiny = 1e-37f;
 
+  [[nodiscard]] static Float4 all(float x) { return Float4{x, x, x, x}; }
+
   [[nodiscard]] static unsigned mask_of(Int4 lanes) {
 #if defined(__SSE2__)
     return static_cast<unsigned>(__builtin_ia32_movmskps(reinterpret_cast<Float4>(lanes)));
@@ -102,7 +104,7 @@ class BoxPath {
 #endif
   }
 
-  std::array<float, 3> near_origin_{}, far_origin_{}, near_inverse_{}, far_inverse_{};
+  std::array<Float4, 3> near_origin_{}, far_origin_{}, near_inverse_{}, far_inverse_{};
   std::array<std::uint8_t, 3> near_side_{};
 };
 

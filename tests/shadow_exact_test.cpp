@@ -4,9 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
-
-#include "scene/float_text.h"
 #include "tests/scene_cases.h"
 #include "tests/shadow_by_definition.h"
 
@@ -20,21 +17,6 @@ using scene::SceneBuilder;
 using scene::Shadow;
 using scene::ShadowQuery;
 
-std::string text_of(const Point3& p) {
-  return scene::hex_text(p[0]) + " " + scene::hex_text(p[1]) + " " + scene::hex_text(p[2]) + " ";
-}
-
-std::string text_of(const Scene& scene, const ShadowQuery& q) {
-  std::string text = "shadow " + text_of(q.point) + text_of(q.light) +
-                     (q.own == kNoFace ? "-1" : std::to_string(q.own)) + " " +
-                     std::to_string(scene.face_count());
-  for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
-    text += " tri " + text_of(scene.corner(t, 0)) + text_of(scene.corner(t, 1)) + text_of(scene.corner(t, 2));
-  }
-  for (const auto& ball : scene.balls) text += " ball " + text_of(ball.centre) + scene::hex_text(ball.radius);
-  return text;
-}
-
 struct Mix {
   std::array<std::size_t, 3> answers{};
   std::array<std::size_t, 3> touching{};
@@ -45,8 +27,9 @@ struct Mix {
 void check(const Scene& scene, const ShadowQuery& q, Mix& mix) {
   const ShadowTruth expected = shadow_by_definition(scene, q, &mix.contacts);
   const ShadowTruth found = exact::shadow_by_all_faces(scene, q);
-  ASSERT_EQ(found, expected) << text_of(scene, q) << " answer " << static_cast<int>(found.answer) << " for "
-                             << static_cast<int>(expected.answer) << ", touching " << found.touching;
+  ASSERT_EQ(found, expected) << corpus_text_of(scene, q) << " answer " << static_cast<int>(found.answer)
+                             << " for " << static_cast<int>(expected.answer) << ", touching "
+                             << found.touching;
   ++mix.answers[static_cast<std::size_t>(found.answer)];
   mix.touching[static_cast<std::size_t>(found.answer)] += found.touching;
   EXPECT_EQ(exact::faces_away(scene, q), found.answer == Shadow::facing);
@@ -82,11 +65,6 @@ TEST(ShadowExact, GridScenesAgreeWithTheDefinitionAtEveryScale) {
   EXPECT_GE(mix.contacts.weak, least);
   EXPECT_GE(mix.contacts.unsealed, least / 2);
   EXPECT_GE(mix.contacts.sealed, 1u);
-  std::printf(
-      "lit %zu shadowed %zu facing %zu; touching %zu %zu; ends %zu weak %zu sealed %zu unsealed %zu firm "
-      "%zu\n",
-      mix.answers[0], mix.answers[1], mix.answers[2], mix.touching[0], mix.touching[1], mix.contacts.ends,
-      mix.contacts.weak, mix.contacts.sealed, mix.contacts.unsealed, mix.contacts.firm);
 }
 
 TEST(ShadowExact, RandomScenesAgreeWithTheDefinition) {
@@ -98,6 +76,102 @@ TEST(ShadowExact, RandomScenesAgreeWithTheDefinition) {
     if (HasFatalFailure()) return;
   }
   expect_mix(mix, static_cast<std::size_t>(affordable(400)));
+}
+
+Scene one_triangle() {
+  SceneBuilder builder;
+  builder.add_triangle({0, 0, 0}, {4, 0, 0}, {0, 4, 0});
+  return builder.finish();
+}
+
+TEST(ShadowExact, ContactsOfEachKind) {
+  constexpr ShadowTruth kLit{Shadow::lit, false}, kLitTouching{Shadow::lit, true},
+      kShadowed{Shadow::shadowed, false}, kShadowedTouching{Shadow::shadowed, true};
+  const Scene triangle = one_triangle();
+  const auto ask = [](const Scene& scene, const Point3& p, const Point3& light) {
+    const ShadowTruth truth = exact::shadow_by_all_faces(scene, {p, light, kNoFace});
+    EXPECT_EQ(exact::shadow_by_all_faces(scene, {light, p, kNoFace}), truth);
+    return truth;
+  };
+  EXPECT_EQ(ask(triangle, {1, 1, -1}, {1, 1, 1}), kShadowed);
+  EXPECT_EQ(ask(triangle, {2, 2, -1}, {2, 2, 1}), kShadowedTouching);   // an edge
+  EXPECT_EQ(ask(triangle, {0, 0, -1}, {0, 0, 1}), kShadowedTouching);   // a vertex
+  EXPECT_EQ(ask(triangle, {-1, 1, 0}, {9, 1, 0}), kShadowedTouching);   // in the plane, across
+  EXPECT_EQ(ask(triangle, {1, 1, 0}, {1.5, 1, 0}), kShadowedTouching);  // in the plane, within
+  EXPECT_EQ(ask(triangle, {-1, 5, 0}, {5, -1, 0}), kShadowedTouching);  // along an edge
+  EXPECT_EQ(ask(triangle, {-1, 1, 0}, {1, -1, 0}), kShadowedTouching);  // in the plane, a vertex
+  EXPECT_EQ(ask(triangle, {-1, 1, 0}, {0, 1, 0}), kLitTouching);        // in the plane, ends there
+  EXPECT_EQ(ask(triangle, {1, 1, 0}, {1, 1, 5}), kLitTouching);         // an end on it
+  EXPECT_EQ(ask(triangle, {0, 0, 0}, {0, 0, 5}), kLitTouching);
+  EXPECT_EQ(ask(triangle, {1, 1, 0}, {1, 1, 0}), kLitTouching);  // a point on it
+  EXPECT_EQ(ask(triangle, {1, 1, 1}, {1, 1, 1}), kLit);
+  EXPECT_EQ(ask(triangle, {3, 3, -1}, {3, 3, 1}), kLit);
+  EXPECT_EQ(ask(triangle, {1, 1, 0x1p-1074}, {1, 1, 1}), kLit);
+  EXPECT_EQ(ask(triangle, {1, 1, -0x1p-1074}, {1, 1, 1}), kShadowed);
+
+  SceneBuilder balls;
+  balls.add_ball({{-4, 3, 0}, 5});  // tangent to the line from 0 along (3, 4, 0), at 0
+  balls.add_ball({{9, 0, 0}, 0});
+  const Scene scene = balls.finish();
+  EXPECT_EQ(ask(scene, {-3, -4, 0}, {3, 4, 0}), kShadowedTouching);
+  EXPECT_EQ(ask(scene, {0, 0, 0}, {3, 4, 0}), kLitTouching);
+  EXPECT_EQ(ask(scene, {3, 4, 0}, {6, 8, 0}), kLit);
+  EXPECT_EQ(ask(scene, {-3, -4, 0}, {3, std::nextafter(4, 5), 0}), kShadowed);
+  EXPECT_EQ(ask(scene, {-3, -4, 0}, {3, std::nextafter(4, 3), 0}), kLit);
+  EXPECT_EQ(ask(scene, {-4, 3, 0}, {-3, 3, 0}), kShadowed);  // wholly within
+  EXPECT_EQ(ask(scene, {8, 0, 0}, {10, 0, 0}), kShadowedTouching);
+  EXPECT_EQ(ask(scene, {9, 0, 0}, {10, 0, 0}), kLitTouching);
+}
+
+/// Segments from outside a closed mesh to points beyond its corners, edges and faces: whatever they pass
+/// through on their way, nothing leaks, and nothing is taken for touching.
+TEST(ShadowExact, ClosedMeshesNeitherLeakNorTouch) {
+  Random random(5);
+  std::size_t through_borders = 0;
+  for (int trial = 0; trial < affordable(400); ++trial) {
+    const Placement& place = kPlacements[static_cast<std::size_t>(trial) % 3];
+    const Scene mesh = box_mesh(random, 2, place);
+    // Enters in the middle of the side z = 0 or through it, leaves through the side z = 2.
+    const auto at = [&](double z) {
+      return Point3{0.25 * random.between(1, 7), 0.25 * random.between(1, 7), z};
+    };
+    const Point3 in = at(0), out = at(2);
+    ShadowQuery q;
+    for (std::size_t i = 0; i < 3; ++i) {
+      q.point[i] = place.place(2 * in[i] - out[i]);
+      q.light[i] = place.place(2 * out[i] - in[i]);
+    }
+    ContactCounts counts;
+    EXPECT_EQ(shadow_by_definition(mesh, q, &counts), (ShadowTruth{Shadow::shadowed, false}));
+    EXPECT_EQ(exact::shadow_by_all_faces(mesh, q), (ShadowTruth{Shadow::shadowed, false}))
+        << corpus_text_of(mesh, q);
+    EXPECT_EQ(counts.unsealed, 0u);
+    through_borders += counts.sealed > 0 && counts.firm == 0;
+  }
+  EXPECT_GE(through_borders, static_cast<std::size_t>(affordable(80)));
+}
+
+TEST(ShadowExact, OwnFacesKeepTheirRules) {
+  SceneBuilder builder;
+  builder.begin_object("front only", 0, true);
+  builder.add_triangle({0, 0, 0}, {4, 0, 0}, {0, 4, 0});
+  builder.add_triangle({0, 0, 0}, {1, 0, 0}, {2, 0, 0});
+  builder.begin_object("the same again", 0, false);
+  builder.add_triangle({0, 0, 0}, {4, 0, 0}, {0, 4, 0});
+  builder.add_ball({{0, 0, 10}, 1});
+  const Scene scene = builder.finish();
+  const auto ask = [&](const Point3& p, const Point3& light, std::uint32_t own) {
+    return exact::shadow_by_all_faces(scene, {p, light, own});
+  };
+  EXPECT_EQ(ask({1, 1, 0}, {1, 1, -1}, 0), (ShadowTruth{Shadow::facing, false}));
+  EXPECT_EQ(ask({1, 1, 0}, {1, 1, -1}, 2), (ShadowTruth{Shadow::lit, true}));  // its twin is at the point
+  EXPECT_EQ(ask({1, 1, -1}, {1, 1, 1}, 0), (ShadowTruth{Shadow::shadowed, false}));  // by its twin
+  EXPECT_EQ(ask({9, 9, 0}, {9, 8, 0}, 0), (ShadowTruth{Shadow::lit, true}));         // edge-on
+  EXPECT_EQ(ask({9, 9, 0}, {9, 8, 0}, 1), (ShadowTruth{Shadow::lit, false}));        // no normal
+  EXPECT_EQ(ask({0, 0, 11}, {0, 0, 12}, 3), (ShadowTruth{Shadow::lit, false}));
+  EXPECT_EQ(ask({0, 0, 11}, {0, 0, 10.5}, 3), (ShadowTruth{Shadow::shadowed, false}));
+  EXPECT_EQ(ask({0, 0, 11}, {1, 0, 11}, 3), (ShadowTruth{Shadow::lit, true}));
+  EXPECT_EQ(ask({0, 0, 8}, {9, 0, 8.5}, 3), (ShadowTruth{Shadow::shadowed, false}));  // towards its centre
 }
 
 }  // namespace
