@@ -51,7 +51,7 @@ bool is_own_ball(const Scene& scene, std::uint32_t own) {
   return own != scene::kNoFace && own >= scene.triangles.size();
 }
 
-template <class Counters>
+template <class F, class Counters>
 class ShadowWalk {
  public:
   ShadowWalk(const Scene& scene, const BuiltHierarchy& built, const ShadowQuery& query, Counters counters)
@@ -106,8 +106,9 @@ class ShadowWalk {
 
  private:
   void leaf(std::uint32_t first, std::uint32_t count, const PathFilter& filter, ShadowFold& fold) {
+    const LeafFace<F>* const faces = built_.faces<F>();
     for (std::uint32_t i = first; i < first + count; ++i) {
-      const LeafFace& leaf = built_.faces[i];
+      const LeafFace<F>& leaf = faces[i];
       counters_.add_face();
       if (leaf.face == query_.own) continue;
       const Certain certain =
@@ -135,7 +136,7 @@ struct HitEntry {
   float near;
 };
 
-template <class Counters>
+template <class F, class Counters>
 class FirstHitWalk {
  public:
   FirstHitWalk(const Scene& scene, const BuiltHierarchy& built, const RayQuery& ray, Counters counters)
@@ -181,8 +182,9 @@ class FirstHitWalk {
 
  private:
   void leaf(std::uint32_t first, std::uint32_t count, const PathFilter& filter, FirstHitFold& fold) {
+    const LeafFace<F>* const faces = built_.faces<F>();
     for (std::uint32_t i = first; i < first + count; ++i) {
-      const LeafFace& leaf = built_.faces[i];
+      const LeafFace<F>& leaf = faces[i];
       counters_.add_face();
       if (leaf.face == ray_.own) continue;
       if (leaf.face < scene_.triangles.size()) {
@@ -206,6 +208,19 @@ class FirstHitWalk {
   Counters counters_;
 };
 
+template <class Counters>
+ShadowTruth walk(const Scene& scene, const BuiltHierarchy& built, const ShadowQuery& query,
+                 Counters counters) {
+  if (!built.float_faces.empty()) return ShadowWalk<float, Counters>(scene, built, query, counters).run();
+  return ShadowWalk<double, Counters>(scene, built, query, counters).run();
+}
+
+template <class Counters>
+FirstHit walk(const Scene& scene, const BuiltHierarchy& built, const RayQuery& ray, Counters counters) {
+  if (!built.float_faces.empty()) return FirstHitWalk<float, Counters>(scene, built, ray, counters).run();
+  return FirstHitWalk<double, Counters>(scene, built, ray, counters).run();
+}
+
 }  // namespace
 
 Hierarchy::Hierarchy(const Scene& scene)
@@ -214,24 +229,25 @@ Hierarchy::Hierarchy(const Scene& scene)
 Hierarchy::~Hierarchy() = default;
 
 ShadowTruth Hierarchy::shadow(const ShadowQuery& query) const {
-  return ShadowWalk(scene_, *built_, query, NoCounters()).run();
+  return walk(scene_, *built_, query, NoCounters());
 }
 
 ShadowTruth Hierarchy::shadow(const ShadowQuery& query, HierarchyCounters& counters) const {
-  return ShadowWalk(scene_, *built_, query, RealCounters{counters}).run();
+  return walk(scene_, *built_, query, RealCounters{counters});
 }
 
 FirstHit Hierarchy::first_hit(const RayQuery& ray) const {
-  return FirstHitWalk(scene_, *built_, ray, NoCounters()).run();
+  return walk(scene_, *built_, ray, NoCounters());
 }
 
 FirstHit Hierarchy::first_hit(const RayQuery& ray, HierarchyCounters& counters) const {
-  return FirstHitWalk(scene_, *built_, ray, RealCounters{counters}).run();
+  return walk(scene_, *built_, ray, RealCounters{counters});
 }
 
 std::size_t Hierarchy::bytes() const {
   return sizeof *this + sizeof *built_ + built_->nodes.capacity() * sizeof(WideNode) +
-         built_->faces.capacity() * sizeof(LeafFace);
+         built_->float_faces.capacity() * sizeof(LeafFace<float>) +
+         built_->double_faces.capacity() * sizeof(LeafFace<double>);
 }
 
 }  // namespace gnomon::exact

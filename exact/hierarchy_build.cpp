@@ -95,7 +95,12 @@ class Builder {
     nodes_ = &built.nodes;
     built.nodes.emplace_back();
     fill(0, range_of(0, static_cast<std::uint32_t>(count)), 0);
-    gather(built.faces);
+    built.nodes.shrink_to_fit();
+    if (is_in_floats()) {
+      gather(built.float_faces);
+    } else {
+      gather(built.double_faces);
+    }
     return built;
   }
 
@@ -219,17 +224,30 @@ class Builder {
     return best;
   }
 
-  void gather(std::vector<LeafFace>& faces) const {
+  /// True when every number of the scene's faces is a float.
+  [[nodiscard]] bool is_in_floats() const {
+    const auto is_float = [](double x) {
+      return std::fabs(x) <= double{std::numeric_limits<float>::max()} && double{static_cast<float>(x)} == x;
+    };
+    return std::ranges::all_of(scene_.points,
+                               [&](const auto& p) { return std::ranges::all_of(p, is_float); }) &&
+           std::ranges::all_of(scene_.balls, [&](const Ball<double>& ball) {
+             return std::ranges::all_of(ball.centre, is_float) && is_float(ball.radius);
+           });
+  }
+
+  template <class F>
+  void gather(std::vector<LeafFace<F>>& faces) const {
     faces.reserve(order_.size());
     for (const std::uint32_t face : order_) {
-      LeafFace leaf;
+      LeafFace<F> leaf;
       leaf.face = face;
       if (face < scene_.triangles.size()) {
-        for (std::size_t i = 0; i < 9; ++i) leaf.c[i] = scene_.corner(face, i / 3)[i % 3];
+        for (std::size_t i = 0; i < 9; ++i) leaf.c[i] = static_cast<F>(scene_.corner(face, i / 3)[i % 3]);
       } else {
         const Ball<double>& ball = scene_.balls[face - scene_.triangles.size()];
-        std::copy(ball.centre.begin(), ball.centre.end(), leaf.c.begin());
-        leaf.c[3] = ball.radius;
+        for (std::size_t i = 0; i < 3; ++i) leaf.c[i] = static_cast<F>(ball.centre[i]);
+        leaf.c[3] = static_cast<F>(ball.radius);
       }
       faces.push_back(leaf);
     }

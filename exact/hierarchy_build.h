@@ -17,7 +17,18 @@ inline constexpr std::size_t kMostLevels = 80;
 struct BuiltHierarchy {
   Frame frame;
   std::vector<WideNode> nodes;  ///< the root first; none for a scene without faces
-  std::vector<LeafFace> faces;
+  /// One of them holds the faces, the other one nothing.
+  std::vector<LeafFace<float>> float_faces;
+  std::vector<LeafFace<double>> double_faces;
+
+  template <class F>
+  [[nodiscard]] const LeafFace<F>* faces() const {
+    if constexpr (sizeof(F) == sizeof(float)) {
+      return float_faces.data();
+    } else {
+      return double_faces.data();
+    }
+  }
 };
 
 /// A hierarchy over all faces of a valid scene, split where the binned surface area heuristic says (Wald:

@@ -36,11 +36,12 @@ class PathFilter {
   };
 
   /// The triangle with corners c[0..2], c[3..5], c[6..8].
-  [[nodiscard]] TriangleResult triangle(const std::array<double, 9>& c) const {
+  template <class F>
+  [[nodiscard]] TriangleResult triangle(const std::array<F, 9>& c) const {
     std::array<double, 9> v;
     double reach = 0;
     for (std::size_t i = 0; i < 9; ++i) {
-      v[i] = c[i] - from_[i % 3];
+      v[i] = double{c[i]} - from_[i % 3];
       reach = std::max(reach, std::fabs(v[i]));
     }
     if (!(reach + length_ <= kLargest)) return {};
@@ -81,7 +82,8 @@ class PathFilter {
   }
 
   /// The ball with centre c[0..2] and radius c[3].
-  [[nodiscard]] Certain ball(const std::array<double, 9>& ball) const {
+  template <class F>
+  [[nodiscard]] Certain ball(const std::array<F, 9>& ball) const {
     const double x = from_[0] - ball[0], y = from_[1] - ball[1], z = from_[2] - ball[2], r = ball[3];
     const double reach = std::max({std::fabs(x), std::fabs(y), std::fabs(z), r});
     if (!(reach + length_ <= kLargest)) return Certain::unknown;

@@ -26,10 +26,12 @@ struct alignas(64) WideNode {
 };
 static_assert(sizeof(WideNode) == 128);
 
-/// A face as leaves hold it, in the order in which they ask for it.
+/// A face as leaves hold it, in the order in which they ask for it; in floats where these hold all of a
+/// scene's numbers, for the sake of the caches.
+template <class F>
 struct LeafFace {
   /// The corners of a triangle, or a ball's centre and radius.
-  std::array<double, 9> c{};
+  std::array<F, 9> c{};
   std::uint32_t face = 0;
 };
 

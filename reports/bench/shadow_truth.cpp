@@ -24,8 +24,9 @@ using scene::SceneBuilder;
 using scene::ShadowQuery;
 using Point = std::array<double, 3>;
 
-/// All coordinates are floats, as a renderer's are.
-Point as_floats(double x, double y, double z) {
+/// All coordinates are floats, as a renderer's are. Inlined, g++ 12's vectoriser forgets to narrow them
+/// (-fno-tree-slp-vectorize remembers).
+[[gnu::noinline]] Point as_floats(double x, double y, double z) {
   return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
 }
 
