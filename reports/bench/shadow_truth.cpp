@@ -24,10 +24,16 @@ using scene::SceneBuilder;
 using scene::ShadowQuery;
 using Point = std::array<double, 3>;
 
-/// All coordinates are floats, as a renderer's are. Inlined, g++ 12's vectoriser forgets to narrow them
-/// (-fno-tree-slp-vectorize remembers).
-[[gnu::noinline]] Point as_floats(double x, double y, double z) {
+/// Three floats, in a function of its own: g++ 12 makes nothing of a float(x) that becomes a double at once,
+/// where it vectorises two of them (-fno-tree-slp-vectorize helps; clang does not do so).
+[[gnu::noinline]] std::array<float, 3> rounded(double x, double y, double z) {
   return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
+}
+
+/// All coordinates are floats, as a renderer's are.
+Point as_floats(double x, double y, double z) {
+  const std::array<float, 3> p = rounded(x, y, z);
+  return {p[0], p[1], p[2]};
 }
 
 /// Hills over the unit square, two triangles a cell.
