@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string_view>
 
 namespace gnomon::scene {
 
@@ -22,5 +23,17 @@ struct ShadowQuery {
 
 /// `facing`: in shadow without a blocker, because a one-sided own surface faces away from the light.
 enum class Shadow : std::uint8_t { lit, shadowed, facing };
+
+[[nodiscard]] constexpr std::string_view name_of(Shadow shadow) {
+  switch (shadow) {
+    case Shadow::lit:
+      return "lit";
+    case Shadow::shadowed:
+      return "shadowed";
+    case Shadow::facing:
+      return "facing";
+  }
+  return "?";
+}
 
 }  // namespace gnomon::scene

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "scene/float_text.h"
 #include "scene/ray_query.h"
 #include "scene/scene_builder.h"
+#include "scene/shadow_case.h"
 #include "scene/shadow_query.h"
 #include "tests/shaft_random.h"
 
@@ -122,20 +122,9 @@ inline scene::RayQuery random_ray(Random& random, const scene::Scene& scene, boo
   }
 }
 
-inline std::string text_of(const Point3& p) {
-  return scene::hex_text(p[0]) + " " + scene::hex_text(p[1]) + " " + scene::hex_text(p[2]) + " ";
-}
-
 /// A query as a line of the text corpus (of a ray, its direction in the light's place).
 inline std::string corpus_text_of(const scene::Scene& scene, const scene::ShadowQuery& q) {
-  std::string text = "shadow " + text_of(q.point) + text_of(q.light) +
-                     (q.own == scene::kNoFace ? "-1" : std::to_string(q.own)) + " " +
-                     std::to_string(scene.face_count());
-  for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
-    text += " tri " + text_of(scene.corner(t, 0)) + text_of(scene.corner(t, 1)) + text_of(scene.corner(t, 2));
-  }
-  for (const auto& ball : scene.balls) text += " ball " + text_of(ball.centre) + scene::hex_text(ball.radius);
-  return text;
+  return scene::corpus_text({scene, q}, "");
 }
 
 }  // namespace gnomon::tests

@@ -167,7 +167,7 @@ void print_scene(const std::string& name, const Scene& scene, const ShadowTruthO
            for (const ShadowQuery& query : queries) sum += tree->meets(query);
            benchmark::DoNotOptimize(sum);
          }}};
-    const auto seconds = time_paired(contenders, options.rounds, 1, 1);
+    const auto seconds = time_paired(contenders, options.rounds, 3, 1);
     const Median mine = median_of(seconds[0]), cgal = median_of(seconds[1]),
                  ratio = ratio_of(seconds[1], seconds[0]);
     std::printf("  %-9s hierarchy %7.3f us   AABB_tree %7.3f us   AABB_tree / hierarchy %.2f [%.2f, %.2f]\n",
