@@ -49,14 +49,14 @@ void expect_mix(const Mix& mix, std::size_t least) {
 TEST(ShadowExact, GridScenesAgreeWithTheDefinitionAtEveryScale) {
   Random random(1);
   Mix mix;
-  for (int trial = 0; trial < affordable(reference_cases(9000)); ++trial) {
+  for (int trial = 0; trial < affordable(reference_cases(6000)); ++trial) {
     const Placement& place = kPlacements[static_cast<std::size_t>(trial) % kPlacements.size()];
     const Scene scene = random_scene(random, {random.below(5), random.below(3), true}, place);
     for (int i = 0; i < 2 && !HasFatalFailure(); ++i)
       check(scene, random_query(random, scene, true, place), mix);
     if (HasFatalFailure()) return;
   }
-  const auto least = static_cast<std::size_t>(affordable(1000));
+  const auto least = static_cast<std::size_t>(affordable(640));
   expect_mix(mix, least);
   EXPECT_GE(mix.touching[0], least);
   EXPECT_GE(mix.touching[1], least / 2);
@@ -127,7 +127,7 @@ TEST(ShadowExact, ContactsOfEachKind) {
 TEST(ShadowExact, ClosedMeshesNeitherLeakNorTouch) {
   Random random(5);
   std::size_t through_borders = 0;
-  for (int trial = 0; trial < affordable(400); ++trial) {
+  for (int trial = 0; trial < affordable(240); ++trial) {
     const Placement& place = kPlacements[static_cast<std::size_t>(trial) % 3];
     const Scene mesh = box_mesh(random, 2, place);
     // Enters in the middle of the side z = 0 or through it, leaves through the side z = 2.
@@ -147,14 +147,14 @@ TEST(ShadowExact, ClosedMeshesNeitherLeakNorTouch) {
     EXPECT_EQ(counts.unsealed, 0u);
     through_borders += counts.sealed > 0 && counts.firm == 0;
   }
-  EXPECT_GE(through_borders, static_cast<std::size_t>(affordable(80)));
+  EXPECT_GE(through_borders, static_cast<std::size_t>(affordable(48)));
 }
 
 /// The same mesh with some triangles left out, and paths from corner to corner of the grid.
 TEST(ShadowExact, MeshesWithHolesAgreeWithTheDefinition) {
   Random random(12);
   Mix mix;
-  for (int trial = 0; trial < affordable(500); ++trial) {
+  for (int trial = 0; trial < affordable(300); ++trial) {
     Scene mesh = box_mesh(random, 2, {});
     for (int holes = random.below(12); holes > 0; --holes) {
       mesh.triangles.erase(mesh.triangles.begin() + random.below(static_cast<int>(mesh.triangles.size())));
@@ -170,7 +170,7 @@ TEST(ShadowExact, MeshesWithHolesAgreeWithTheDefinition) {
     }
     if (HasFatalFailure()) return;
   }
-  const auto least = static_cast<std::size_t>(affordable(40));
+  const auto least = static_cast<std::size_t>(affordable(24));
   EXPECT_GE(mix.contacts.sealed, least);
   EXPECT_GE(mix.contacts.unsealed, least);
   EXPECT_GE(mix.touching[1], least);
