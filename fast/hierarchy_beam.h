@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// A segment or ray as the kernels of a Hierarchy want it. Internal to fast/hierarchy*.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+#include "fast/hierarchy_bounds.h"
+
+namespace gnomon::fast {
+
+/// True when all six numbers are floats of at most kMostMagnitude: never for a NaN.
+[[nodiscard]] inline bool in_certified_domain(const std::array<double, 3>& a,
+                                              const std::array<double, 3>& b) {
+  bool inside = true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (const double x : {a[k], b[k]}) {
+      const double magnitude = x < 0 ? -x : x;
+      inside &=
+          magnitude <= static_cast<double>(kMostMagnitude) && static_cast<double>(static_cast<float>(x)) == x;
+    }
+  }
+  return inside;
+}
+
+/// The points origin + t * direction.
+///
+/// SLABS. A box's slab on an axis with direction d > 0 holds the parameters from (lo - p) / d to (hi - p) /
+/// d. The kernel computes near = (lo - near_origin) * near_inverse and far = (hi - far_origin) * far_inverse,
+/// and visits the box when the largest near (and 0) is at most the smallest far (and the beam's end).
+///
+/// Naive beams have the origin itself and the inverse 1 / d. Certified ones are never wrong to skip a box,
+/// also when d is the difference of two floats, rounded. Let s = 2^-80 be kOriginShift, and say the beam
+/// meets the box at a parameter t within its range, so that near and far's exact values n <= t <= f.
+///  - |d| >= 2^-81. near_origin = fl(p + s) and far_origin = fl(p - s). Rounding is monotone, so near is at
+///    most what p itself would give. If lo - p >= 2^-81 no product is below 2^-81 * 2^-41, normal, and three
+///    or four roundings (the difference, d, 1/d, the product) give near <= n (1 + u)^4. If lo - p <= 0, so is
+///    near. In between |lo - p| < 2^-81 is not 0, so both are below 2^-57 (or their difference would be a
+///    multiple of 2^-81), p + s is off by at most 2^-81, and lo - near_origin <= 0. In the same way far >=
+///    f (1 - u)^4 * 12 u more: if hi - p is 0 or >= 2^-81 by the roundings (one more for the factor), else
+///    because hi - far_origin >= 2^-81 > hi - p. And (1 + u)^4 <= (1 - u)^5 (1 + 12 u) (1 - u).
+///  - |d| < 2^-81, 0 included: the whole segment lies within 2^-81 of p on this axis. (A ray does not: a
+///    direction in the domain has to be 0 or at least 2^-81, which first-hit queries see to.) The inverse is
+///    infinite: near is +infinity when lo > fl(p + s), which is at least p + 2^-81 or p itself when p and lo
+///    are multiples of 2^-80; else -infinity, or a NaN, which the kernel ignores. Far likewise.
+struct Beam {
+  std::array<float, 3> origin, direction;
+  std::array<float, 3> near_origin, far_origin, near_inverse, far_inverse;
+  std::array<std::uint32_t, 3> near_row, far_row;  ///< of WideNode::bounds
+  float largest;                                   ///< the largest magnitude of the direction
+  float spread;  ///< min(2 largest, sum of magnitudes): at least |d_j| + |d_k| for all j != k
+
+  /// `origin` and `direction` must be set.
+  template <bool kCertified>
+  void prepare() {
+    float sum = 0;
+    largest = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const float d = direction[k], magnitude = d < 0 ? -d : d;
+      largest = magnitude > largest ? magnitude : largest;
+      sum += magnitude;
+      const bool up = !(d < 0) || (kCertified && magnitude < kLeastDirection);
+      near_row[k] = static_cast<std::uint32_t>(up ? k : k + 3);
+      far_row[k] = static_cast<std::uint32_t>(up ? k + 3 : k);
+      if (kCertified) {
+        const float shift = up ? kOriginShift : -kOriginShift;
+        near_origin[k] = origin[k] + shift;
+        far_origin[k] = origin[k] - shift;
+        near_inverse[k] = magnitude < kLeastDirection ? std::numeric_limits<float>::infinity() : 1 / d;
+        far_inverse[k] = near_inverse[k] * kFarFactor;
+      } else {
+        near_origin[k] = far_origin[k] = origin[k];
+        near_inverse[k] = far_inverse[k] = 1 / (d == 0 ? 0.0f : d);
+      }
+    }
+    spread = sum < 2 * largest ? sum : 2 * largest;
+  }
+};
+
+}  // namespace gnomon::fast
