@@ -70,6 +70,23 @@ HWY_INLINE TriangleValues evaluate(const BeamVectors& beam, const TriangleBlock&
   return values;
 }
 
+/// What these may be off by: u, v and w by w, t by t, t - d by t + d.
+struct TriangleErrors {
+  V w, t, d;
+};
+
+HWY_INLINE TriangleErrors errors_of(const BeamVectors& beam, const TriangleBlock& block, std::size_t at,
+                                    const TriangleValues& x) {
+  const Floats d;
+  const V edge_error = hn::Load(d, block.edge_error.data() + at),
+          normal_error = hn::Load(d, block.normal_error.data() + at), tiny = hn::Set(d, kTriangleUnderflow);
+  TriangleErrors errors;
+  errors.d = hn::Add(hn::Mul(normal_error, beam.largest), tiny);
+  errors.w = hn::Add(hn::Mul(hn::Mul(edge_error, x.c_most), beam.third_spread), errors.d);
+  errors.t = hn::Add(hn::Mul(normal_error, x.c_most), tiny);
+  return errors;
+}
+
 /// The segment's triangles that are hit for certain, and those that may be. Naive: both the same, edges
 /// included, ends not.
 template <bool kCertified>
@@ -82,16 +99,10 @@ HWY_INLINE LeafBits segment_triangles(const BeamVectors& beam, const TriangleBlo
     const V least = hn::Min(hn::Min(x.u, x.v), x.w), most = hn::Max(hn::Max(x.u, x.v), x.w);
     const V t1 = hn::Sub(x.t, x.d);
     if constexpr (kCertified) {
-      const V edge_error = hn::Load(d, block.edge_error.data() + at),
-              normal_error = hn::Load(d, block.normal_error.data() + at);
-      const V tiny = hn::Set(d, kTriangleUnderflow);
-      const V d_error = hn::Add(hn::Mul(normal_error, beam.largest), tiny);
-      const V w_error = hn::Add(hn::Mul(hn::Mul(edge_error, x.c_most), beam.third_spread), d_error);
-      const V t_error = hn::Mul(normal_error, x.c_most);
-      const M positive = hn::Gt(least, w_error), negative = hn::Lt(most, hn::Neg(w_error));
-      const M crosses = hn::And(hn::Gt(most, w_error), hn::Lt(least, hn::Neg(w_error)));
-      const M ends = hn::And(hn::Gt(hn::Abs(x.t), hn::Add(t_error, tiny)),
-                             hn::Gt(hn::Abs(t1), hn::Add(t_error, d_error)));
+      const TriangleErrors error = errors_of(beam, block, at, x);
+      const M positive = hn::Gt(least, error.w), negative = hn::Lt(most, hn::Neg(error.w));
+      const M crosses = hn::And(hn::Gt(most, error.w), hn::Lt(least, hn::Neg(error.w)));
+      const M ends = hn::And(hn::Gt(hn::Abs(x.t), error.t), hn::Gt(hn::Abs(t1), hn::Add(error.t, error.d)));
       const M opposite = hn::Xor(hn::Gt(x.t, zero), hn::Gt(t1, zero));  // where neither is 0
       bits.certain |= bits_of(d, hn::And(hn::Or(positive, negative), hn::And(ends, opposite))) << at;
       bits.possible |= bits_of(d, hn::Not(hn::Or(crosses, hn::AndNot(opposite, ends)))) << at;
@@ -120,19 +131,14 @@ HWY_INLINE LeafHits ray_triangles(const BeamVectors& beam, const TriangleBlock& 
     const V least = hn::Min(hn::Min(x.u, x.v), x.w), most = hn::Max(hn::Max(x.u, x.v), x.w);
     if constexpr (kCertified) {
       constexpr float u = Rounding<float>::u;
-      const V edge_error = hn::Load(d, block.edge_error.data() + at),
-              normal_error = hn::Load(d, block.normal_error.data() + at);
-      const V tiny = hn::Set(d, kTriangleUnderflow);
-      const V d_error = hn::Add(hn::Mul(normal_error, beam.largest), tiny);
-      const V w_error = hn::Add(hn::Mul(hn::Mul(edge_error, x.c_most), beam.third_spread), d_error);
-      const V t_error = hn::Add(hn::Mul(normal_error, x.c_most), tiny);
-      const M positive = hn::Gt(least, w_error), negative = hn::Lt(most, hn::Neg(w_error));
-      const M crosses = hn::And(hn::Gt(most, w_error), hn::Lt(least, hn::Neg(w_error)));
+      const TriangleErrors error = errors_of(beam, block, at, x);
+      const M positive = hn::Gt(least, error.w), negative = hn::Lt(most, hn::Neg(error.w));
+      const M crosses = hn::And(hn::Gt(most, error.w), hn::Lt(least, hn::Neg(error.w)));
       const V t_size = hn::Abs(x.t), d_size = hn::Abs(x.d);
-      const M has_d = hn::Gt(d_size, d_error), signs = hn::And(hn::Gt(t_size, t_error), has_d);
+      const M has_d = hn::Gt(d_size, error.d), signs = hn::And(hn::Gt(t_size, error.t), has_d);
       const M opposite = hn::Xor(hn::Gt(x.t, zero), hn::Gt(x.d, zero));  // where neither is 0
-      const V from = hn::Div(hn::Max(hn::Sub(t_size, t_error), zero), hn::Add(d_size, d_error)),
-              to = hn::Div(hn::Add(t_size, t_error), hn::Sub(d_size, d_error));
+      const V from = hn::Div(hn::Max(hn::Sub(t_size, error.t), zero), hn::Add(d_size, error.d)),
+              to = hn::Div(hn::Add(t_size, error.t), hn::Sub(d_size, error.d));
       const V lo = hn::IfThenElseZero(has_d, hn::Mul(from, hn::Set(d, 1 - 6 * u)));
       const V hi =
           hn::IfThenElse(has_d, hn::Add(hn::Mul(to, hn::Set(d, 1 + 6 * u)), hn::Set(d, kParameterUnderflow)),

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "fast/hierarchy_probe.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "fast/hierarchy_probe.cpp"
+#include <hwy/foreach_target.h>
+
+#include "fast/hierarchy_balls_inl.h"
+#include "fast/hierarchy_triangles_inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gnomon::fast {
+namespace HWY_NAMESPACE {
+
+void run_triangles(const TriangleBlock& block, const Beam& beam, TriangleProbe& probe) {
+  const Floats d;
+  const BeamVectors vectors(beam);
+  for (std::size_t at = 0; at < kWidth; at += hn::Lanes(d)) {
+    const TriangleValues x = evaluate(vectors, block, at);
+    const TriangleErrors errors = errors_of(vectors, block, at, x);
+    hn::StoreU(x.u, d, probe.u.data() + at);
+    hn::StoreU(x.v, d, probe.v.data() + at);
+    hn::StoreU(x.w, d, probe.w.data() + at);
+    hn::StoreU(x.t, d, probe.t.data() + at);
+    hn::StoreU(x.d, d, probe.d.data() + at);
+    hn::StoreU(errors.w, d, probe.w_error.data() + at);
+    hn::StoreU(errors.t, d, probe.t_error.data() + at);
+    hn::StoreU(errors.d, d, probe.d_error.data() + at);
+  }
+}
+
+void run_balls(const BallBlock& block, const Beam& beam, float end, BallProbe& probe) {
+  const Floats d;
+  const BeamVectors vectors(beam);
+  for (std::size_t at = 0; at < kWidth; at += hn::Lanes(d)) {
+    const BallValues x = evaluate(vectors, block, at, hn::Set(d, end));
+    hn::StoreU(x.depth, d, probe.depth.data() + at);
+    hn::StoreU(x.error, d, probe.error.data() + at);
+  }
+}
+
+std::uint32_t run_boxes(const WideNode& node, const Beam& beam, float end) {
+  const Floats d;
+  const BeamVectors vectors(beam);
+  std::uint32_t bits = 0;
+  for (std::size_t at = 0; at < kWidth; at += hn::Lanes(d)) {
+    V entry;
+    bits |= bits_of(d, boxes_met(vectors, node, at, hn::Set(d, end), entry)) << at;
+  }
+  return bits;
+}
+
+// NOLINTNEXTLINE(google-readability-namespace-comments)
+}  // namespace HWY_NAMESPACE
+}  // namespace gnomon::fast
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace gnomon::fast {
+
+namespace {
+
+HWY_EXPORT(run_triangles);
+HWY_EXPORT(run_balls);
+HWY_EXPORT(run_boxes);
+
+}  // namespace
+
+TriangleProbe probe_triangles(const TriangleBlock& block, const Beam& beam) {
+  TriangleProbe probe;
+  HWY_DYNAMIC_DISPATCH(run_triangles)(block, beam, probe);
+  return probe;
+}
+
+BallProbe probe_balls(const BallBlock& block, const Beam& beam, float end) {
+  BallProbe probe;
+  HWY_DYNAMIC_DISPATCH(run_balls)(block, beam, end, probe);
+  return probe;
+}
+
+std::uint32_t probe_boxes(const WideNode& node, const Beam& beam, float end) {
+  return HWY_DYNAMIC_DISPATCH(run_boxes)(node, beam, end);
+}
+
+}  // namespace gnomon::fast
+#endif  // HWY_ONCE

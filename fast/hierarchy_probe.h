@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// What the kernels of a Hierarchy compute on the way, for the tests of its error bounds. Internal to
+// fast/hierarchy*.
+#pragma once
+
+#include <cstdint>
+
+#include "fast/hierarchy_beam.h"
+#include "fast/hierarchy_layout.h"
+
+namespace gnomon::fast {
+
+/// The values of fast/hierarchy_triangles_inl.h, and their thresholds.
+struct TriangleProbe {
+  Eight u, v, w, t, d, w_error, t_error, d_error;
+};
+[[nodiscard]] TriangleProbe probe_triangles(const TriangleBlock& block, const Beam& beam);
+
+/// G of fast/hierarchy_balls_inl.h for a range that ends at `end`, and its threshold.
+struct BallProbe {
+  Eight depth, error;
+};
+[[nodiscard]] BallProbe probe_balls(const BallBlock& block, const Beam& beam, float end);
+
+/// A bit for each child whose box is visited.
+[[nodiscard]] std::uint32_t probe_boxes(const WideNode& node, const Beam& beam, float end);
+
+}  // namespace gnomon::fast
