@@ -3,6 +3,7 @@
 // skinny triangles, scenes far from the origin, very small and very large ones. All numbers are floats.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -105,7 +106,7 @@ inline scene::Scene hard_scene(HardKind kind, std::uint64_t seed, int triangles,
   };
   if (kind == HardKind::mesh || kind == HardKind::far_mesh) {
     // A bumpy sheet whose triangles share corners.
-    const int side = static_cast<int>(std::sqrt(triangles / 2.0)) + 1;
+    const int side = std::max(2, static_cast<int>(std::sqrt(triangles / 2.0)) + 1);
     const double far = kind == HardKind::far_mesh ? 1e5 : 0;
     const auto corner = [&](int x, int y) {
       const double height = (x * 7 + y * 3 + static_cast<int>(seed)) % 5 * 0.11;

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The error bounds of fast/hierarchy*, from both sides: never exceeded, and not many times what occurs.
+#include <gtest/gtest.h>
+
+#include "fast/hierarchy_build.h"
+#include "fast/hierarchy_probe.h"
+#include "tests/batch_cases.h"
+#include "tests/fast_hierarchy_truth.h"
+#include "tests/hard_scenes.h"
+
+namespace gnomon::tests {
+
+namespace {
+
+template <bool kCertified>
+fast::Beam beam_of(const scene::ShadowQuery& query) {
+  fast::Beam beam;
+  for (std::size_t k = 0; k < 3; ++k) {
+    beam.origin[k] = static_cast<float>(query.point[k]);
+    beam.direction[k] = static_cast<float>(query.light[k]) - beam.origin[k];
+  }
+  beam.prepare<kCertified>();
+  return beam;
+}
+
+/// The largest share of its bound that an error took.
+struct Share {
+  double most = 0;
+
+  void add(float computed, const Rational& exact, float bound, const std::string& text) {
+    const Rational off = abs(Rational(computed) - exact);
+    ASSERT_LE(off, Rational(bound)) << text << ": " << computed << " is off by " << off.get_d();
+    most = std::max(most, Rational(off / Rational(bound)).get_d());
+  }
+  void report(const char* name, double at_least) const {
+    std::printf("%s: at most %.3f of its bound\n", name, most);
+    testing::Test::RecordProperty(name, std::to_string(most));
+    EXPECT_GT(most, at_least) << name;
+  }
+};
+
+RationalPoint cross(const RationalPoint& a, const RationalPoint& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+}  // namespace
+
+TEST(FastHierarchyBounds, TriangleValuesStayWithinThem) {
+  Share edges, third, products, normals;
+  for (const HardKind kind : kHardKinds) {
+    for (std::uint64_t seed = 40; seed < 43; ++seed) {
+      const scene::Scene scene = hard_scene(kind, seed, 24, 0);
+      const fast::HierarchyArrays arrays = fast::build_hierarchy(scene);
+      for (const auto& query : hard_queries(kind, scene, seed, affordable(24))) {
+        const fast::Beam beam = beam_of<true>(query);
+        const RationalPoint p = rational(query.point), d = rational(query.light) - p;
+        for (const fast::TriangleBlock& block : arrays.triangles) {
+          const fast::TriangleProbe probe = fast::probe_triangles(block, beam);
+          for (std::size_t lane = 0; lane < fast::kWidth; ++lane) {
+            const RationalPoint v0 = rational(scene.corner(block.face[lane], 0));
+            const RationalPoint e1 = rational(scene.corner(block.face[lane], 1)) - v0,
+                                e2 = rational(scene.corner(block.face[lane], 2)) - v0;
+            const RationalPoint n = cross(e1, e2), c = v0 - p, r = cross(c, d);
+            const Rational u = dot(r, e2), v = -dot(r, e1), det = dot(n, d), t = dot(n, c);
+            const std::string text = name_of(kind) + " " + std::to_string(seed);
+            edges.add(probe.u[lane], u, probe.w_error[lane], text + " u");
+            edges.add(probe.v[lane], v, probe.w_error[lane], text + " v");
+            third.add(probe.w[lane], det - u - v, probe.w_error[lane], text + " w");
+            products.add(probe.t[lane], t, probe.t_error[lane], text + " t");
+            normals.add(probe.d[lane], det, probe.d_error[lane], text + " d");
+            products.add(probe.t[lane] - probe.d[lane], t - det, probe.t_error[lane] + probe.d_error[lane],
+                         text + " t - d");
+            if (HasFatalFailure()) return;
+          }
+        }
+      }
+    }
+  }
+  // The bound of u and v is that of w.
+  edges.report("u and v", 0.05);
+  third.report("w", 0.1);
+  products.report("t and t - d", 0.25);
+  normals.report("d", 0.25);
+}
+
+TEST(FastHierarchyBounds, DepthsInBallsStayWithinThem) {
+  Share segments, rays;
+  for (const HardKind kind : kHardKinds) {
+    for (std::uint64_t seed = 50; seed < 53; ++seed) {
+      const scene::Scene scene = hard_scene(kind, seed, 8, 16);
+      const fast::HierarchyArrays arrays = fast::build_hierarchy(scene);
+      for (const auto& query : hard_queries(kind, scene, seed, affordable(40))) {
+        const fast::Beam beam = beam_of<true>(query);
+        const RationalPoint p = rational(query.point), d = rational(query.light) - p;
+        const Rational dd = dot(d, d);
+        if (dd < Rational(0x1p-99)) continue;
+        for (const fast::BallBlock& block : arrays.balls) {
+          for (const bool segment : {true, false}) {
+            const fast::BallProbe probe =
+                fast::probe_balls(block, beam, segment ? 1.0f : std::numeric_limits<float>::infinity());
+            for (std::size_t lane = 0; lane < fast::kWidth; ++lane) {
+              const scene::Ball<double>& ball = scene.balls[block.face[lane] - scene.triangles.size()];
+              const RationalPoint m = rational(ball.centre) - p;
+              Rational s = dot(m, d) / dd;
+              if (s < 0) s = 0;
+              if (segment && s > 1) s = 1;
+              const RationalPoint q{Rational(m[0] - s * d[0]), Rational(m[1] - s * d[1]),
+                                    Rational(m[2] - s * d[2])};
+              const Rational depth = Rational(ball.radius) * Rational(ball.radius) - dot(q, q);
+              (segment ? segments : rays)
+                  .add(probe.depth[lane], depth, probe.error[lane], name_of(kind) + " depth");
+              if (HasFatalFailure()) return;
+            }
+          }
+        }
+      }
+    }
+  }
+  segments.report("depths on segments", 0.05);
+  rays.report("depths on rays", 0.05);
+}
+
+namespace {
+
+/// The parameters in [0, 1] at which p + t d is in child i's box grown by `more` of its distance from p.
+bool meets_box(const fast::WideNode& node, std::size_t i, const RationalPoint& p, const RationalPoint& d) {
+  Rational from = 0, to = 1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Rational lo = Rational(node.bounds[k][i]) - p[k], hi = Rational(node.bounds[k + 3][i]) - p[k];
+    if (d[k] == 0) {
+      if (lo > 0 || hi < 0) return false;
+      continue;
+    }
+    const Rational a = (d[k] > 0 ? lo : hi) / d[k], b = (d[k] > 0 ? hi : lo) / d[k];
+    if (a > from) from = a;
+    if (b < to) to = b;
+  }
+  return from <= to;
+}
+
+}  // namespace
+
+TEST(FastHierarchyBounds, NoBoxThatTheSegmentMeetsIsSkipped) {
+  int met = 0, visited = 0, naive_skips = 0, boxes = 0;
+  const auto check = [&](const fast::WideNode& node, const scene::ShadowQuery& query,
+                         const std::string& text) {
+    const RationalPoint p = rational(query.point), d = rational(query.light) - p;
+    const std::uint32_t certified = fast::probe_boxes(node, beam_of<true>(query), 1);
+    const std::uint32_t naive = fast::probe_boxes(node, beam_of<false>(query), 1);
+    for (std::size_t i = 0; i < fast::kWidth; ++i) {
+      if (node.bounds[0][i] > node.bounds[3][i]) {
+        ASSERT_EQ(certified >> i & 1, 0u) << text;
+        continue;
+      }
+      const bool truth = meets_box(node, i, p, d);
+      ++boxes;
+      met += truth;
+      visited += static_cast<int>(certified >> i & 1);
+      naive_skips += truth && (naive >> i & 1) == 0;
+      ASSERT_TRUE(!truth || (certified >> i & 1) != 0) << text << " child " << i;
+    }
+  };
+  for (const HardKind kind : kHardKinds) {
+    for (std::uint64_t seed = 60; seed < 64; ++seed) {
+      const scene::Scene scene = hard_scene(kind, seed, 40, 8);
+      const fast::HierarchyArrays arrays = fast::build_hierarchy(scene);
+      for (const auto& query : hard_queries(kind, scene, seed, affordable(100))) {
+        for (const fast::WideNode& node : arrays.nodes) {
+          check(node, query, name_of(kind));
+          if (HasFatalFailure()) return;
+        }
+      }
+    }
+  }
+  // Boxes at corners, sides and near misses of segments of all sizes, down to denormal ones.
+  Random random(7);
+  for (int trial = 0; trial < affordable(4000); ++trial) {
+    const int smallest = random.between(-149, 30);
+    const auto number = [&] {
+      const int sign = random.chance(50) ? 1 : -1;
+      return random.chance(25) ? 0
+                               : sign * as_float(std::ldexp(1 + random.unit(), random.between(smallest, 38)));
+    };
+    scene::ShadowQuery query;
+    for (std::size_t k = 0; k < 3; ++k) {
+      query.point[k] = number();
+      query.light[k] = random.chance(25) ? query.point[k] : number();
+    }
+    fast::WideNode node;
+    for (std::size_t i = 0; i < fast::kWidth; ++i) {
+      const double t = random.unit();
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double on = query.point[k] + t * (query.light[k] - query.point[k]);
+        const double ends[] = {query.point[k], query.light[k], as_float(on), number()};
+        const double a = ends[random.below(4)], b = ends[random.below(4)];
+        node.bounds[k][i] = static_cast<float>(std::min(a, b));
+        node.bounds[k + 3][i] = static_cast<float>(std::max(a, b));
+      }
+    }
+    check(node, query, "trial " + std::to_string(trial));
+    if (HasFatalFailure()) return;
+  }
+  std::printf("of %d boxes %d met, %d visited; the naive test skips %d\n", boxes, met, visited, naive_skips);
+  EXPECT_GT(naive_skips, 0);
+  EXPECT_LT(visited, met + met / 4);
+}
+
+}  // namespace gnomon::tests
