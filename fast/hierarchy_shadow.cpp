@@ -99,7 +99,7 @@ void run_certified(const HierarchyView& h, std::span<const scene::ShadowQuery> q
   with_count(counters, [&](auto& count) { run<CertifiedTier>(h, queries, answers, exact, count); });
 }
 
-const char* instruction_set() {
+const char* target_name() {
   return hwy::TargetName(HWY_TARGET);
 }
 
@@ -115,12 +115,12 @@ namespace {
 
 HWY_EXPORT(run_naive);
 HWY_EXPORT(run_certified);
-HWY_EXPORT(instruction_set);
+HWY_EXPORT(target_name);
 
 }  // namespace
 
 const char* hierarchy_instruction_set() {
-  return HWY_DYNAMIC_DISPATCH(instruction_set)();
+  return HWY_DYNAMIC_DISPATCH(target_name)();
 }
 
 void run_shadows(Hierarchy::Tier tier, const HierarchyView& h, std::span<const scene::ShadowQuery> queries,

@@ -7,6 +7,8 @@
 //     the same of the paper's tests, one item at a time
 //   gnomon_bench shadow-truth [--rounds N] [--queries N] [--most TRIANGLES]
 //     the exact shadow reference next to CGAL's AABB_tree
+//   gnomon_bench shadow-tiers [--rounds N] [--most FACES] [--side N]
+//     the tiers of the common ray caster on generated scenes, and Embree where it is installed
 //   gnomon_bench [--benchmark_...]
 //     Google Benchmark on the workloads of the table
 #include <benchmark/benchmark.h>
@@ -24,6 +26,7 @@
 #include "reports/bench/batch_data.h"
 #include "reports/bench/box_and_ball.h"
 #include "reports/bench/paired.h"
+#include "reports/bench/shadow_tiers.h"
 #include "reports/bench/shadow_truth.h"
 
 namespace gnomon::bench {
@@ -266,7 +269,8 @@ int usage() {
   std::fprintf(stderr,
                "usage: gnomon_bench table [--rounds N] [--boxes] [--balls] [--most COUNT]\n"
                "       gnomon_bench box-and-ball [--rounds N] [--items N]\n"
-               "       gnomon_bench shadow-truth [--rounds N] [--queries N] [--most TRIANGLES]\n");
+               "       gnomon_bench shadow-truth [--rounds N] [--queries N] [--most TRIANGLES]\n"
+               "       gnomon_bench shadow-tiers [--rounds N] [--most FACES] [--side N]\n");
   return 2;
 }
 
@@ -303,11 +307,32 @@ int shadow_truth(int argc, char** argv) {
   return 0;
 }
 
+int shadow_tiers(int argc, char** argv) {
+  ShadowTierOptions options;
+  for (int i = 2; i < argc; i += 2) {
+    const std::string option = argv[i];
+    const int number = i + 1 < argc ? std::atoi(argv[i + 1]) : 0;
+    if (number < 1) return usage();
+    if (option == "--rounds") {
+      options.rounds = number;
+    } else if (option == "--most") {
+      options.most = static_cast<std::size_t>(number);
+    } else if (option == "--side") {
+      options.side = number;
+    } else {
+      return usage();
+    }
+  }
+  print_shadow_tiers(options);
+  return 0;
+}
+
 }  // namespace
 
 int run(int argc, char** argv) {
   if (argc >= 2 && std::strcmp(argv[1], "box-and-ball") == 0) return box_and_ball(argc, argv);
   if (argc >= 2 && std::strcmp(argv[1], "shadow-truth") == 0) return shadow_truth(argc, argv);
+  if (argc >= 2 && std::strcmp(argv[1], "shadow-tiers") == 0) return shadow_tiers(argc, argv);
   if (argc < 2 || std::strcmp(argv[1], "table") != 0) {
     register_all();
     benchmark::Initialize(&argc, argv);
