@@ -12,7 +12,7 @@ namespace {
 
 /// True when x is in the certified tier's domain.
 bool checked(double x) {
-  if (!(static_cast<double>(static_cast<float>(x)) == x)) {
+  if (!is_float(x)) {
     throw std::runtime_error("a hierarchy of floats needs a scene whose coordinates are floats");
   }
   return std::abs(x) <= static_cast<double>(kMostMagnitude);

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "fast/hierarchy_bounds.h"
+#include "fast/is_float.h"
 
 namespace gnomon::fast {
 
@@ -16,9 +17,7 @@ namespace gnomon::fast {
   bool inside = true;
   for (std::size_t k = 0; k < 3; ++k) {
     for (const double x : {a[k], b[k]}) {
-      const double magnitude = x < 0 ? -x : x;
-      inside &=
-          magnitude <= static_cast<double>(kMostMagnitude) && static_cast<double>(static_cast<float>(x)) == x;
+      inside &= std::abs(x) <= static_cast<double>(kMostMagnitude) && is_float(x);
     }
   }
   return inside;

@@ -14,6 +14,7 @@
 #include <limits>
 
 #include "fast/hierarchy_bounds.h"
+#include "fast/is_float.h"
 
 namespace gnomon::fast {
 
@@ -77,8 +78,8 @@ std::array<float, 6> box_around_ball(const scene::Ball<double>& ball) {
   constexpr float kFarFloat = std::numeric_limits<float>::infinity();
   std::array<float, 6> box;
   for (std::size_t k = 0; k < 3; ++k) {
-    // A sum or difference of doubles is within half an ulp, so the next double is beyond it; then the same
-    // for the conversion to float. Radius 0 stays exact.
+    // A sum or difference of doubles is within half an ulp, so the next double is beyond it; the float next
+    // to a rounded one is beyond what was rounded. Radius 0 stays exact.
     double lo = ball.centre[k], hi = lo;
     if (ball.radius > 0) {
       lo = std::nextafter(lo - ball.radius, -kFar);
@@ -86,8 +87,8 @@ std::array<float, 6> box_around_ball(const scene::Ball<double>& ball) {
     }
     box[k] = static_cast<float>(lo);
     box[k + 3] = static_cast<float>(hi);
-    if (static_cast<double>(box[k]) > lo) box[k] = std::nextafter(box[k], -kFarFloat);
-    if (static_cast<double>(box[k + 3]) < hi) box[k + 3] = std::nextafter(box[k + 3], kFarFloat);
+    if (!is_float(lo)) box[k] = std::nextafter(box[k], -kFarFloat);
+    if (!is_float(hi)) box[k + 3] = std::nextafter(box[k + 3], kFarFloat);
   }
   return box;
 }

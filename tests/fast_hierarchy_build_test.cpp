@@ -10,6 +10,7 @@
 #include "exact/first_hit.h"
 #include "exact/shadow.h"
 #include "fast/hierarchy.h"
+#include "fast/is_float.h"
 #include "tests/batch_cases.h"
 #include "tests/hard_scenes.h"
 
@@ -189,6 +190,25 @@ TEST(FastHierarchy, NoFaceAndOneFace) {
       }
     }
   });
+}
+
+TEST(FastHierarchy, TellsFloatsFromDoubles) {
+  Random random(9);
+  const double most = std::numeric_limits<float>::max();
+  for (const double x : {0.0, -0.0, 1.0, -0x1p-149, 0x3p-149, 0x1p-126, 0x1.fffffcp-127, most, -most}) {
+    EXPECT_TRUE(fast::is_float(x)) << x;
+  }
+  for (const double x :
+       {0.1, 1 + 0x1p-24, 0x1p-150, 0x1.8p-149, 0x1p-1074, 0x1.0p-126 + 0x1p-150, 0x1p128, 1e300,
+        std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_FALSE(fast::is_float(x)) << x;
+  }
+  for (int i = 0; i < 10000; ++i) {
+    const double x =
+        std::ldexp(static_cast<double>(random.bits() >> random.between(30, 50)), random.between(-180, 90));
+    const volatile float rounded = static_cast<float>(x);
+    EXPECT_EQ(fast::is_float(x), static_cast<double>(rounded) == x && x < 0x1p128) << x;
+  }
 }
 
 TEST(FastHierarchy, CountsItsTests) {

@@ -28,8 +28,10 @@ inline std::string name_of(HardKind kind) {
 
 using Point3 = std::array<double, 3>;
 
+/// x rounded to a float. (Volatile: g++ 12 leaves conversions there and back out where it makes vectors.)
 inline double as_float(double x) {
-  return static_cast<double>(static_cast<float>(x));
+  const volatile float rounded = static_cast<float>(x);
+  return static_cast<double>(rounded);
 }
 
 /// Points of the scenes of one kind.

@@ -19,8 +19,10 @@ struct TierScene {
   scene::Scene scene;
 };
 
+/// x rounded to a float. (Volatile: g++ 12 leaves conversions there and back out where it makes vectors.)
 inline double as_float(double x) {
-  return static_cast<double>(static_cast<float>(x));
+  const volatile float rounded = static_cast<float>(x);
+  return static_cast<double>(rounded);
 }
 
 /// Adds a grid of quads, u and v from 0 to `side`, each cut in two.
