@@ -9,21 +9,22 @@
 // within the ball, and so points of the open range as well. G < 0 for the s that is closest means that the
 // closed range misses the ball.
 //
-// ERRORS, in the notation of fast/hierarchy_triangles_inl.h, |.| the length, M = |m|_1.
-//  - q_i for the computed s: m_i with a rounding, s d_i with two, and a difference: off by at most
-//    u (|m_i| + 2.01 s |d_i| + |q_i|) + eta <= u (2 |m_i| + 3.1 s |d_i|) + eta. s |d| is at most |m| (1 + 20
-//    u): |q| is off by 5.2 u |m| + 2 eta. With the roundings of the square, q . q by 10.5 u |m| |q| + (5.2 u
-//    |m|)^2 + g(3) q . q, and what eta gives: 4 eta |q| < 2^-105.
+// ERRORS, in the notation of fast/hierarchy_triangles_inl.h, |.| the length. q stands for its exact value at
+// the s that was computed.
+//  - q_i: m_i with a rounding, s d_i with two, and a difference: off by at most u (|m_i| + 2.01 |s d_i| +
+//    |q_i|) + eta <= u (3.1 |m_i| + 3.1 |q_i|) + eta, as s d_i = m_i - q_i. So 2 sum |q_i| (..) <=
+//    6.2 u |m|_m |q|_1 + 6.2 u q . q, what eta gives is below 4 eta |q| < 2^-105, and the squares' sum is
+//    below 60 u^2 |m|_m^2 and little of q . q. The square's own roundings: g(3) q . q.
 //  - t0: m . d is off by g(5) |m| |d| + 3 eta, d . d by g(5) of itself as long as it is at least 2^-100, and
 //  a
 //    division: |d| times t0's error is at most e = 11.2 u |m| + 4 eta / |d|, the last term below 2^-98.
 //    Moving into the range does not enlarge it. q . q exceeds its least value in the range by at most e^2
-//    <= 2 (11.2 u |m|)^2 + 2^-195 (it is a parabola in s; where t0 lies beyond an end and s does not, s is
-//    within the error of t0).
-//  - r^2 has a rounding, G another: u (r^2 + (1 + g(4)) (r^2 + q . q)).
-// Altogether G is off by less than 10.5 u |m| |q| + 280 u^2 |m|^2 + 5.1 u (r^2 + q . q) + 2^-104. The kernel
-// takes sums of magnitudes for lengths and a little more of everything, for its own roundings.
-// Below d . d = 2^-100 nothing is decided.
+//    <= 2 (11.2 u |m|)^2 + 2^-195 <= 753 u^2 |m|_m^2 + 2^-195 (it is a parabola in s; where t0 lies beyond an
+//    end and s does not, s is within the error of t0).
+//  - r^2 has a rounding, G another: u r^2 + u (r^2 + q . q).
+// Altogether G is off by less than 6.2 u |m|_m |q|_1 + 820 u^2 |m|_m^2 + 10.3 u q . q + 2.1 u r^2 + 2^-104.
+// The kernel takes a little more of everything, for its own roundings. Below d . d = 2^-100 nothing is
+// decided.
 #if defined(GNOMON_FAST_HIERARCHY_BALLS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_FAST_HIERARCHY_BALLS_INL_H_
 #undef GNOMON_FAST_HIERARCHY_BALLS_INL_H_
@@ -41,7 +42,7 @@ namespace HWY_NAMESPACE {
 struct BallValues {
   V closest;  ///< t0
   V depth, error;
-  V offset;  ///< M
+  V offset;  ///< |m|_m
   V dd;
 };
 
@@ -64,12 +65,12 @@ HWY_INLINE BallValues evaluate(const BeamVectors& beam, const BallBlock& block, 
   const V r = hn::Load(d, block.radius.data() + at);
   const V rr = hn::Mul(r, r), qq = dot(q, q);
   values.depth = hn::Sub(rr, qq);
-  values.offset = sum(m);
+  values.offset = hn::Max(hn::Max(hn::Abs(m[0]), hn::Abs(m[1])), hn::Abs(m[2]));
   constexpr float u = Rounding<float>::u;
   const V um = hn::Mul(hn::Set(d, u), values.offset);
-  const V linear = hn::Add(hn::Mul(hn::Set(d, 10.8f), sum(q)), hn::Mul(hn::Set(d, 300.0f), um));
-  values.error = hn::Add(hn::Add(hn::Mul(um, linear), hn::Mul(hn::Set(d, 5.2f * u), hn::Add(rr, qq))),
-                         hn::Set(d, kBallUnderflow));
+  const V linear = hn::Add(hn::Mul(hn::Set(d, 6.3f), sum(q)), hn::Mul(hn::Set(d, 850.0f), um));
+  const V squares = hn::Add(hn::Mul(hn::Set(d, 10.5f * u), qq), hn::Mul(hn::Set(d, 2.2f * u), rr));
+  values.error = hn::Add(hn::Add(hn::Mul(um, linear), squares), hn::Set(d, kBallUnderflow));
   return values;
 }
 
@@ -95,7 +96,7 @@ HWY_INLINE LeafBits segment_balls(const BeamVectors& beam, const BallBlock& bloc
 /// The ray's balls at parameters up to `limit`, and where it enters them: at t0 - sqrt(h), h = G / d . d, or
 /// 0 from within; `leaving`: where it leaves them, at t0 + sqrt(h).
 ///
-/// t0 is off by at most 12 u |m|_1 / |d|_m + 4 eta / d . d, h's root by 2.5 u of itself for d . d, 0.5 u each
+/// t0 is off by at most 20 u |m|_m / |d|_m + 4 eta / d . d, h's root by 2.5 u of itself for d . d, 0.5 u each
 /// for the sum and the division, u for the root and one for the factor 1 -+ 8 u, besides what G's error does.
 template <bool kCertified>
 HWY_INLINE LeafHits ray_balls(const BeamVectors& beam, const BallBlock& block, float limit, bool leaving) {
@@ -109,7 +110,7 @@ HWY_INLINE LeafHits ray_balls(const BeamVectors& beam, const BallBlock& block, f
       const M reliable = hn::Ge(x.dd, hn::Set(d, kLeastSquare));
       const M certain = hn::And(reliable, hn::Gt(x.depth, x.error));
       const V tiny = hn::Set(d, kParameterUnderflow);
-      const V shift = hn::Add(hn::Mul(hn::Set(d, 12 * u), hn::Div(x.offset, beam.largest)),
+      const V shift = hn::Add(hn::Mul(hn::Set(d, 20 * u), hn::Div(x.offset, beam.largest)),
                               hn::Add(hn::Div(tiny, x.dd), tiny));
       const V most =
           hn::Mul(hn::Sqrt(hn::Div(hn::Max(hn::Add(x.depth, x.error), zero), x.dd)), hn::Set(d, 1 + 8 * u));

@@ -23,6 +23,8 @@ void run_triangles(const TriangleBlock& block, const Beam& beam, TriangleProbe& 
     hn::StoreU(x.w, d, probe.w.data() + at);
     hn::StoreU(x.t, d, probe.t.data() + at);
     hn::StoreU(x.d, d, probe.d.data() + at);
+    const V edge = hn::Mul(hn::Mul(hn::Load(d, block.edge_error.data() + at), x.c_most), vectors.spread);
+    hn::StoreU(hn::Add(edge, hn::Set(d, kTriangleUnderflow)), d, probe.edge_error.data() + at);
     hn::StoreU(errors.w, d, probe.w_error.data() + at);
     hn::StoreU(errors.t, d, probe.t_error.data() + at);
     hn::StoreU(errors.d, d, probe.d_error.data() + at);

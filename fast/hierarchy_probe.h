@@ -10,9 +10,10 @@
 
 namespace gnomon::fast {
 
-/// The values of fast/hierarchy_triangles_inl.h, and their thresholds.
+/// The values of fast/hierarchy_triangles_inl.h, and their thresholds. `edge_error` is what u and v alone
+/// would need; the kernel uses `w_error` for them too.
 struct TriangleProbe {
-  Eight u, v, w, t, d, w_error, t_error, d_error;
+  Eight u, v, w, t, d, edge_error, w_error, t_error, d_error;
 };
 [[nodiscard]] TriangleProbe probe_triangles(const TriangleBlock& block, const Beam& beam);
 
