@@ -14,13 +14,25 @@ namespace gnomon::fast {
 /// True when all six numbers are floats of at most kMostMagnitude: never for a NaN.
 [[nodiscard]] inline bool in_certified_domain(const std::array<double, 3>& a,
                                               const std::array<double, 3>& b) {
-  bool inside = true;
-  for (std::size_t k = 0; k < 3; ++k) {
-    for (const double x : {a[k], b[k]}) {
-      inside &= std::abs(x) <= static_cast<double>(kMostMagnitude) && is_float(x);
+  // Magnitudes are ordered as their bits are. All six at once, and 0 apart from what lies below 2^-126, which
+  // is rare and looked at one by one.
+  constexpr auto kMost = std::bit_cast<std::uint64_t>(static_cast<double>(kMostMagnitude));
+  constexpr auto kLeast = std::bit_cast<std::uint64_t>(0x1p-126);
+  std::uint64_t all = 0;
+  bool large = false, small = false;
+  for (const auto* numbers : {&a, &b}) {
+    for (const double x : *numbers) {
+      const auto magnitude = std::bit_cast<std::uint64_t>(x) & ~(std::uint64_t{1} << 63);
+      all |= magnitude;
+      large |= magnitude > kMost;
+      small |= magnitude - 1 < kLeast - 1;
     }
   }
-  return inside;
+  if (large || (all & kBeyondFloat) != 0) return false;
+  if (!small) return true;
+  bool floats = true;
+  for (std::size_t k = 0; k < 3; ++k) floats &= is_float(a[k]) && is_float(b[k]);
+  return floats;
 }
 
 /// The points origin + t * direction.

@@ -15,14 +15,15 @@
 
 namespace gnomon::tests {
 
-enum class HardKind { grid, dense_grid, far_grid, far_mesh, mesh, skinny, tiny, huge, mixed, soup };
-inline constexpr HardKind kHardKinds[] = {
-    HardKind::grid,   HardKind::dense_grid, HardKind::far_grid, HardKind::far_mesh, HardKind::mesh,
-    HardKind::skinny, HardKind::tiny,       HardKind::huge,     HardKind::mixed,    HardKind::soup};
+enum class HardKind { grid, dense_grid, far_grid, far_mesh, mesh, skinny, tiny, huge, mixed, soup, stacked };
+inline constexpr HardKind kHardKinds[] = {HardKind::grid,     HardKind::dense_grid, HardKind::far_grid,
+                                          HardKind::far_mesh, HardKind::mesh,       HardKind::skinny,
+                                          HardKind::tiny,     HardKind::huge,       HardKind::mixed,
+                                          HardKind::soup,     HardKind::stacked};
 
 inline std::string name_of(HardKind kind) {
-  const char* const names[] = {"grid",   "dense grid", "far grid", "far mesh", "mesh",
-                               "skinny", "tiny",       "huge",     "mixed",    "soup"};
+  const char* const names[] = {"grid", "dense grid", "far grid", "far mesh", "mesh",   "skinny",
+                               "tiny", "huge",       "mixed",    "soup",     "stacked"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -132,6 +133,14 @@ inline scene::Scene hard_scene(HardKind kind, std::uint64_t seed, int triangles,
       }
       scene.triangles.push_back({add(a), add(b), add(c)});
       if (random.chance(10)) scene.triangles.push_back(scene.triangles.back());
+      for (int copy = 0; kind == HardKind::stacked && copy < 3; ++copy) {
+        // A few ulps off, so that a line meets them in one order or the other.
+        const auto moved = [&](Point3 p) {
+          for (double& x : p) x = as_float(x * (1 + random.between(-2, 2) * 0x1p-24));
+          return add(p);
+        };
+        scene.triangles.push_back({moved(a), moved(b), moved(c)});
+      }
     }
   }
   const double size = kind == HardKind::tiny       ? 0x1p-30
@@ -141,6 +150,12 @@ inline scene::Scene hard_scene(HardKind kind, std::uint64_t seed, int triangles,
   for (int i = 0; i < balls; ++i) {
     const double radius = random.chance(20) ? 0 : random.chance(50) ? 1 : random.unit() * 0.5;
     scene.balls.push_back({points.point(), as_float(radius * size)});
+    if (kind == HardKind::stacked && i % 2 != 0) {
+      scene.balls.back() = scene.balls[scene.balls.size() - 2];
+      scene::Ball<double>& ball = scene.balls.back();
+      for (double& x : ball.centre) x = as_float(x * (1 + random.between(-2, 2) * 0x1p-24));
+      ball.radius = as_float(ball.radius * (1 + random.between(-2, 2) * 0x1p-24));
+    }
   }
   const std::size_t half = scene.triangles.size() / 2;
   scene.objects.resize(2);
