@@ -10,6 +10,7 @@
 #include "exact/first_hit.h"
 #include "exact/shadow.h"
 #include "fast/hierarchy.h"
+#include "fast/hierarchy_query.h"
 #include "fast/is_float.h"
 #include "tests/batch_cases.h"
 #include "tests/hard_scenes.h"
@@ -209,6 +210,20 @@ TEST(FastHierarchy, TellsFloatsFromDoubles) {
     const volatile float rounded = static_cast<float>(x);
     EXPECT_EQ(fast::is_float(x), static_cast<double>(rounded) == x && x < 0x1p128) << x;
   }
+}
+
+TEST(FastHierarchy, HitsThatFoundNoRoomAreNotForgotten) {
+  const scene::Scene scene;
+  const scene::RayQuery ray;
+  fast::HitCandidates hits(scene, ray, nullptr);
+  for (std::uint32_t face = 0; face < 30; ++face) hits.add(face, 5, 10, false);
+  hits.add(30, 0, 1, false);  // nearer, but the others don't leave room
+  hits.add(31, 3, 4, true);
+  EXPECT_EQ(hits.resolve(), fast::kUndecidedFace);
+  fast::HitCandidates roomy(scene, ray, nullptr);
+  for (std::uint32_t face = 0; face < 20; ++face) roomy.add(face, 5, 10, false);
+  roomy.add(31, 3, 4, true);
+  EXPECT_EQ(roomy.resolve(), 31u);
 }
 
 TEST(FastHierarchy, CountsItsTests) {

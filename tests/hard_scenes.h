@@ -205,6 +205,17 @@ inline std::vector<scene::ShadowQuery> hard_queries(HardKind kind, const scene::
         for (std::size_t k = 0; k < 3; ++k) q.light[k] = as_float(2 * target[k] - q.point[k]);
       }
     }
+    if (q.own != scene::kNoFace && q.own >= scene.triangles.size() && random.chance(50)) {
+      // Along the own ball's surface, but for roundings.
+      const scene::Ball<double>& ball = scene.balls[q.own - scene.triangles.size()];
+      const double a = 6.3 * random.unit(), b = 6.3 * random.unit();
+      const Point3 out{std::cos(a) * std::cos(b), std::sin(a) * std::cos(b), std::sin(b)};
+      const Point3 along{-std::sin(a), std::cos(a), 0};
+      for (std::size_t k = 0; k < 3; ++k) {
+        q.point[k] = as_float(ball.centre[k] + ball.radius * out[k]);
+        q.light[k] = as_float(q.point[k] + 3 * ball.radius * along[k]);
+      }
+    }
     queries.push_back(q);
   }
   return queries;
