@@ -36,7 +36,8 @@ struct Share {
   void report(const char* name, double at_least) const {
     std::printf("%s: at most %.3f of its bound\n", name, most);
     testing::Test::RecordProperty(name, std::to_string(most));
-    EXPECT_GT(most, at_least) << name;
+    // Fewer trials find less.
+    EXPECT_GT(most, kSanitized ? at_least / 3 : at_least) << name;
   }
 };
 
@@ -66,6 +67,8 @@ TEST(FastHierarchyBounds, TriangleValuesStayWithinThem) {
             const std::string text = name_of(kind) + " " + std::to_string(seed);
             edges.add(probe.u[lane], u, probe.edge_error[lane], text + " u");
             edges.add(probe.v[lane], v, probe.edge_error[lane], text + " v");
+            // The kernel holds all three against the bound of w.
+            ASSERT_LE(probe.edge_error[lane], probe.w_error[lane]);
             third.add(probe.w[lane], det - u - v, probe.w_error[lane], text + " w");
             products.add(probe.t[lane], t, probe.t_error[lane], text + " t");
             normals.add(probe.d[lane], det, probe.d_error[lane], text + " d");
@@ -147,7 +150,7 @@ TEST(FastHierarchyBounds, TriangleBoundsAreNotManyTimesWhatOccurs) {
     }
     std::printf("%s: up to %.3f of its bound found by climbing\n", names[which], most);
     EXPECT_LE(most, 1) << names[which];
-    EXPECT_GT(most, 0.13) << names[which];
+    EXPECT_GT(most, kSanitized ? 0.05 : 0.13) << names[which];
   }
 }
 
@@ -178,7 +181,7 @@ TEST(FastHierarchyBounds, BallBoundsAreNotManyTimesWhatOccurs) {
   }
   std::printf("depths: up to %.3f of its bound found by climbing\n", most);
   EXPECT_LE(most, 1);
-  EXPECT_GT(most, 0.25);
+  EXPECT_GT(most, kSanitized ? 0.1 : 0.25);
 }
 
 TEST(FastHierarchyBounds, DepthsInBallsStayWithinThem) {
