@@ -85,6 +85,13 @@ class Builder {
     if (items_.empty()) return std::move(out_);
     branches_.reserve(items_.size() / 2 + 16);
     const std::uint32_t root = grow(0, static_cast<std::uint32_t>(items_.size()), 0);
+    std::size_t triangle_leaves = 0, ball_leaves = 0;
+    for (const Branch& branch : branches_) {
+      if (branch.count == 0) continue;
+      ++(is_ball(items_[branch.first]) ? ball_leaves : triangle_leaves);
+    }
+    out_.triangles.reserve(triangle_leaves);
+    out_.balls.reserve(ball_leaves);
     out_.nodes.emplace_back();
     if (branches_[root].count > 0) {
       std::uint32_t only[] = {root};
@@ -92,6 +99,7 @@ class Builder {
     } else {
       merge(0, root);
     }
+    out_.nodes.shrink_to_fit();
     mark_one_sided();
     return std::move(out_);
   }
