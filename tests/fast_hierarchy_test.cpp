@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "exact/first_hit.h"
+#include "exact/hierarchy.h"
 #include "exact/shadow.h"
 #include "tests/batch_cases.h"
 #include "tests/fast_hierarchy_truth.h"
@@ -119,6 +120,31 @@ TEST(FastHierarchy, ShadowsAreThoseOfExactPredicates) {
     EXPECT_LT(tally.undecided, tally.trials * 4 / 5) << name_of(kind);
     for (const int truths : tally.truths) EXPECT_GT(truths, 0) << name_of(kind);
   }
+}
+
+TEST(FastHierarchy, LargerScenesAgreeWithTheExactHierarchy) {
+  int undecided = 0, decided = 0;
+  for (const HardKind kind : {HardKind::mesh, HardKind::far_mesh, HardKind::soup}) {
+    const scene::Scene scene = hard_scene(kind, 30, affordable(2400), 40);
+    const Hierarchy hierarchy(scene);
+    const exact::Hierarchy reference(scene);
+    for (const auto& query : hard_queries(kind, scene, 30, affordable(400))) {
+      const ShadowAnswer truth = answer_of(reference.shadow(query).answer);
+      ASSERT_EQ(hierarchy.shadow_exact(kExactFaces, query), truth) << text_of(kind, 30, query);
+      const ShadowAnswer certified = hierarchy.shadow(Tier::certified, query);
+      ++(certified == ShadowAnswer::undecided ? undecided : decided);
+      ASSERT_TRUE(certified == truth || certified == ShadowAnswer::undecided) << text_of(kind, 30, query);
+      const scene::RayQuery ray = ray_of(query);
+      if (ray.direction == Point3{}) continue;
+      const std::vector<std::uint32_t> faces = reference.first_hit(ray).faces;
+      const std::uint32_t first = faces.empty() ? scene::kNoFace : faces.front();
+      ASSERT_EQ(hierarchy.first_hit_exact(kExactFaces, ray), first) << text_of(kind, 30, query);
+      const std::uint32_t certain = hierarchy.first_hit(Tier::certified, ray);
+      ASSERT_TRUE(certain == first || certain == fast::kUndecidedFace) << text_of(kind, 30, query);
+    }
+  }
+  EXPECT_GT(undecided, 0);
+  EXPECT_GT(decided, undecided);
 }
 
 TEST(FastHierarchy, FirstHitsAreThoseOfTheDefinitionAndOfExactPredicates) {
