@@ -60,6 +60,8 @@ double difference_below(double a, double b) {
   return error < 0 ? std::nextafter(difference, -std::numeric_limits<double>::infinity()) : difference;
 }
 
+}  // namespace
+
 Box<double> extent_of(const Scene& scene) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Box<double> box{{kInfinity, kInfinity, kInfinity, -kInfinity, -kInfinity, -kInfinity}};
@@ -76,8 +78,6 @@ Box<double> extent_of(const Scene& scene) {
   }
   return box;
 }
-
-}  // namespace
 
 std::size_t SceneFacts::closed_objects() const {
   return static_cast<std::size_t>(std::count(closed.begin(), closed.end(), true));

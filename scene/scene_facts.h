@@ -22,6 +22,9 @@ struct SceneFacts {
   [[nodiscard]] std::size_t closed_objects() const;
 };
 
+/// The least box of doubles that holds all faces of a scene that is_valid(). Linear.
+[[nodiscard]] Box<double> extent_of(const Scene& scene);
+
 /// The facts of a scene that is_valid(). O(n log n) in its faces.
 [[nodiscard]] SceneFacts facts_of(const Scene& scene);
 

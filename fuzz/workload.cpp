@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fuzz/workload.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "fuzz/camera.h"
+#include "fuzz/lights.h"
+#include "fuzz/surface_sampler.h"
+#include "fuzz/vectors.h"
+#include "fuzz/workload_parts.h"
+#include "scene/scene_facts.h"
+
+namespace gnomon::fuzz {
+namespace {
+
+constexpr WorkloadKind kKinds[] = {
+    {"primary", "first hits of the view's pixels, each to every light"},
+    {"surface", "random points of faces, by area, to the lights in turn"},
+    {"light-rays", "from the lights to first hits, and a little beyond and before them"},
+    {"emitter", "points of polygon lights to receivers spread over the faces"},
+    {"hard", "shadow boundaries to the last bit, edges, vertices, grazing and axis-parallel segments"},
+};
+constexpr Queries (*kRecorders[])(const scene::Scene&, const Oracle&, const WorkloadOptions&) = {
+    record_primary, record_surface, record_light_rays, record_emitter, record_hard};
+
+}  // namespace
+
+std::span<const WorkloadKind> workload_kinds() {
+  return kKinds;
+}
+
+Workload record_workload(std::string_view name, const scene::Scene& scene, const Oracle& oracle,
+                         const WorkloadOptions& options) {
+  std::string known;
+  for (std::size_t i = 0; i < std::size(kKinds); ++i) {
+    if (kKinds[i].name == name) {
+      Workload workload{std::string(name), kRecorders[i](scene, oracle, options)};
+      thin(workload.queries, options.queries);
+      return workload;
+    }
+    known += (known.empty() ? "" : ", ") + std::string(kKinds[i].name);
+  }
+  throw std::runtime_error("--workload: expected a workload (" + known + "), found \"" + std::string(name) +
+                           "\"");
+}
+
+void thin(std::vector<scene::ShadowQuery>& queries, std::size_t count) {
+  if (queries.size() <= count) return;
+  const std::size_t size = queries.size();
+  // Place i comes from i size / count >= i: nothing is overwritten before it is read.
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t from = i * (size / count) + i * (size % count) / count;
+    queries[i] = queries[from];
+  }
+  queries.resize(count);
+}
+
+std::vector<std::uint32_t> shuffled_order(std::size_t count) {
+  std::vector<std::uint32_t> order(count);
+  std::iota(order.begin(), order.end(), 0U);
+  CaseRandom random(1, stream_of("shuffled order"), count);
+  for (std::size_t i = count; i > 1; --i) {  // Fisher and Yates
+    std::swap(order[i - 1], order[static_cast<std::size_t>(random.below(static_cast<int>(i)))]);
+  }
+  return order;
+}
+
+Queries record_primary(const scene::Scene& scene, const Oracle& oracle, const WorkloadOptions& options) {
+  const std::vector<Vector3> lights = light_points(scene);
+  const std::size_t pixels = std::max<std::size_t>(1, options.queries / lights.size());
+  const auto [columns, rows] = picture_size(*scene.view, pixels);
+  const Camera camera(*scene.view, columns, rows);
+  Queries queries;
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t column = 0; column < columns; ++column) {
+      const scene::RayQuery ray = camera.ray(column, row);
+      const std::uint32_t face = oracle.first_hit(ray);
+      if (face == scene::kNoFace) continue;
+      const Vector3 point = hit_point(scene, face, ray);
+      for (const Vector3& light : lights) queries.push_back({point, light, face});
+    }
+  }
+  return queries;
+}
+
+Queries record_light_rays(const scene::Scene& scene, const Oracle& oracle, const WorkloadOptions& options) {
+  const std::vector<Vector3> lights = light_points(scene);
+  const scene::Box<double> extent = scene::extent_of(scene);
+  Queries queries;
+  const std::uint32_t stream = stream_of("light-rays");
+  // Rays that miss ask nothing: at most twice as many as would fill the workload.
+  const std::size_t most = 2 * (options.queries / 3 + 1);
+  for (std::size_t i = 0; i < most && queries.size() < options.queries; ++i) {
+    CaseRandom random(options.seed, stream, i);
+    const Vector3& light = lights[i % lights.size()];
+    Vector3 target;
+    for (int axis = 0; axis < 3; ++axis) {
+      target[static_cast<std::size_t>(axis)] = random.between(extent.lo(axis), extent.hi(axis));
+    }
+    const Vector3 direction = as_floats(unit_of(minus(target, light)));
+    if (length_of(direction) == 0) continue;
+    const scene::RayQuery ray{light, direction, scene::kNoFace};
+    const std::uint32_t face = oracle.first_hit(ray);
+    if (face == scene::kNoFace) continue;
+    const Vector3 hit = hit_point(scene, face, ray);
+    // From an ulp or so of the distance to a 256th of it.
+    const double step = std::ldexp(1.0, -random.integer(8, 24));
+    queries.push_back({hit, light, face});
+    queries.push_back({as_floats(along(hit, minus(hit, light), step)), light, scene::kNoFace});
+    queries.push_back({as_floats(along(hit, minus(light, hit), step)), light, scene::kNoFace});
+  }
+  return queries;
+}
+
+}  // namespace gnomon::fuzz
