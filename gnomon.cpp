@@ -2,12 +2,8 @@
 // The command line: one executable, `gnomon VERB`. Exit status: 0 ran and every promise held; 1 a promise was
 // broken, a stated answer is wrong or a comparison regressed; 2 bad usage or bad input, said in one line on
 // standard error.
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <charconv>
-#include <chrono>
-#include <cstdio>
 #include <iostream>
 #include <optional>
 #include <thread>
@@ -21,10 +17,14 @@
 #include "reports/environment.h"
 #include "reports/explain.h"
 #include "reports/html_report.h"
+#include "reports/progress_line.h"
 #include "reports/replay_json.h"
 #include "reports/verb_claims.h"
+#include "reports/verb_measure.h"
+#include "reports/verb_render.h"
 #include "reports/verb_scene.h"
 #include "reports/verbs_results.h"
+#include "reports/whole_number.h"
 #include "scene/atomic_file.h"
 #include "scene/input_error.h"
 
@@ -85,30 +85,6 @@ void parse_shard(const std::string& text, fuzz::CampaignOptions& options) {
   options.shards = shards;
 }
 
-/// A progress line on terminals, with the time left; silent elsewhere.
-class ProgressLine {
- public:
-  void operator()(const fuzz::Progress& progress) {
-    if (!terminal_) return;
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    const double left = progress.done > 0.01 ? seconds / progress.done - seconds : 0;
-    std::fprintf(stderr, "\r\033[K%3.0f %%  %s  %.0f s left", 100 * progress.done, progress.where.c_str(),
-                 left);
-    std::fflush(stderr);
-    shown_ = true;
-  }
-  ~ProgressLine() {
-    if (shown_) std::fputs("\r\033[K", stderr);
-  }
-  ProgressLine() = default;
-  ProgressLine(const ProgressLine&) = delete;
-  ProgressLine& operator=(const ProgressLine&) = delete;
-
- private:
-  bool terminal_ = ::isatty(STDERR_FILENO) != 0, shown_ = false;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
 /// The command as it can be typed again: what does not change results (jobs, output places) is left out.
 std::string command_of(const FuzzArguments& arguments) {
   const fuzz::CampaignOptions& options = arguments.options;
@@ -156,13 +132,14 @@ int run_fuzz(FuzzArguments& arguments) {
   reports::CampaignFiles files(arguments.out, arguments.json);
   fuzz::CampaignResult result;
   {
-    ProgressLine line;
+    reports::ProgressLine line;
     const auto keep = [&](fuzz::CampaignResult so_far) {
       so_far.command = command_of(arguments);
       files.write(so_far, arguments.question);
     };
     result = run_question(
-        arguments, [&line](const fuzz::Progress& progress) { line(progress); }, keep);
+        arguments, [&line](const fuzz::Progress& progress) { line.show(progress.done, progress.where); },
+        keep);
     result.command = command_of(arguments);
     files.write(result, arguments.question);
     files.write_failures(result, arguments.question);
@@ -229,19 +206,6 @@ int run_report(const std::string& folder, const std::string& out) {
   return 0;
 }
 
-/// Whole numbers alone: CLI11 reads "-5" as the largest count but four.
-CLI::Validator whole_number(std::uint64_t least, std::uint64_t most) {
-  return {[least, most](const std::string& text) -> std::string {
-            std::uint64_t value = 0;
-            const char* const end = text.data() + text.size();
-            const auto [stop, error] = std::from_chars(text.data(), end, value);
-            if (error == std::errc{} && stop == end && value >= least && value <= most) return {};
-            return "expected a whole number from " + std::to_string(least) + " to " + std::to_string(most) +
-                   ", found \"" + text + "\"";
-          },
-          ""};
-}
-
 /// Says of an empty word, as an unset variable in a script makes it, what is missing: it is no absent option.
 void refuse_empty_words(CLI::App& app) {
   const CLI::Validator not_empty(
@@ -275,20 +239,20 @@ void add_fuzz(CLI::App& app, FuzzArguments& arguments, std::function<int()>& run
   verb->add_option("--scalar", arguments.scalar, "f32 or f64 cases for all methods; without it each its own");
   verb->add_option("--trials", arguments.options.trials,
                    "trials a row (question, method, distribution, scalar)")
-      ->check(whole_number(1, 1000000000000000000))
+      ->check(reports::whole_number(1, 1000000000000000000))
       ->capture_default_str();
   verb->add_option("--time", arguments.time, "instead of --trials: 60s, 5m, 2h for the whole campaign");
   verb->add_option("--seed", arguments.options.seed, "the same seed gives the same results")
-      ->check(whole_number(0, UINT64_MAX))
+      ->check(reports::whole_number(0, UINT64_MAX))
       ->capture_default_str();
   arguments.options.jobs = std::max(1u, std::thread::hardware_concurrency());
   verb->add_option("--jobs", arguments.options.jobs, "threads; changes no result")
-      ->check(whole_number(1, 1024))
+      ->check(reports::whole_number(1, 1024))
       ->capture_default_str();
   verb->add_option("--shard", arguments.shard, "I/N: this run takes the I-th of N parts of the trials");
   verb->add_option("--witnesses", arguments.options.witnesses_per_row,
                    "disagreements of each kind a row that are shrunk")
-      ->check(whole_number(0, 1000000))
+      ->check(reports::whole_number(0, 1000000))
       ->capture_default_str();
   verb->add_option("--out", arguments.out, "folder for the result file and the witnesses");
   verb->add_option("--json", arguments.json, "result file");
@@ -322,7 +286,9 @@ int main(int argc, char** argv) {
       "  gnomon explain results/witnesses/shaft-box.naive-f32.false-cull.*.txt\n"
       "  gnomon report results -o report.html\n"
       "  gnomon claims S2\n"
-      "  gnomon scene balls.nff");
+      "  gnomon scene balls.nff\n"
+      "  gnomon measure balls.nff --json balls.json\n"
+      "  gnomon render balls.nff --method bvh-naive-f32 --errors -o errors.png");
 
   std::function<int()> run;
   FuzzArguments fuzz_arguments;
@@ -369,6 +335,8 @@ int main(int argc, char** argv) {
   reports::add_result_verbs(app, run);
   reports::add_claims_verb(app, run);
   reports::add_scene_verb(app, run);
+  reports::add_measure_verb(app, run);
+  reports::add_render_verb(app, run);
 
   refuse_empty_words(app);
   if (const std::optional<std::string> word = unknown_verb(app, argc, argv)) {

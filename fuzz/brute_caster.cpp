@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuzz/brute_caster.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -99,8 +100,9 @@ class BruteCaster : public SceneCaster {
     for (std::size_t face = 0; face < face_count(); ++face) {
       if (face == query.own && !into_own) continue;
       const Span span = meet(face, ray);
-      const float t = face == query.own || !(span.enter > 0) ? span.leave : span.enter;
-      if (!(t > 0 && t < nearest)) continue;
+      // A ball that the ray starts in is met at once; the own one where the ray leaves it.
+      const float t = face == query.own ? span.leave : std::max(span.enter, 0.0F);
+      if (!(span.leave > 0 && t < nearest)) continue;
       nearest = t;
       found = static_cast<std::uint32_t>(face);
     }

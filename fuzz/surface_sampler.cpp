@@ -64,7 +64,7 @@ std::array<double, 3> hit_point(const scene::Scene& scene, std::uint32_t face, c
     const double a = dot_product(d, d), b = dot_product(from, d);
     const double c = dot_product(from, from) - ball.radius * ball.radius;
     const double root = std::sqrt(std::max(0.0, b * b - a * c));
-    t = face == ray.own || -b - root <= 0 ? (-b + root) / a : (-b - root) / a;
+    t = face == ray.own ? (-b + root) / a : std::max(0.0, (-b - root) / a);
   }
   // A slope of almost 0 may make the quotient infinite.
   return std::isfinite(t) ? as_floats(along(ray.origin, d, t)) : ray.origin;

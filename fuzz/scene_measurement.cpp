@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fuzz/scene_measurement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace gnomon::fuzz {
+
+std::uint64_t ShadowRow::truths(const Matrix& m, std::size_t truth) {
+  return std::accumulate(m[truth].begin(), m[truth].end(), std::uint64_t{0});
+}
+
+bool ShadowRow::promise_broken() const {
+  switch (method->promise) {
+    case Promise::none:
+      return false;
+    case Promise::never_unsound:
+      return unsound(matrix) > 0;
+    case Promise::always_agrees:
+      return unsound(matrix) + column(matrix, kUndecided) + column(matrix, kRejected) > 0;
+  }
+  return false;
+}
+
+Spread spread_of(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const auto at = [&](double share) {
+    const double place = share * static_cast<double>(values.size() - 1);
+    const auto below = static_cast<std::size_t>(place);
+    const std::size_t above = std::min(below + 1, values.size() - 1);
+    return values[below] + (place - std::floor(place)) * (values[above] - values[below]);
+  };
+  return {at(0.5), at(0.25), at(0.75)};
+}
+
+bool Measurement::promise_broken() const {
+  return std::any_of(rows.begin(), rows.end(), [](const ShadowRow& row) { return row.promise_broken(); });
+}
+
+}  // namespace gnomon::fuzz

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/verb_measure.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+
+#include "fast/fp_environment.h"
+#include "fuzz/measure_scene.h"
+#include "reports/measure_text.h"
+#include "reports/peers/peers.h"
+#include "reports/progress_line.h"
+#include "reports/scene_source.h"
+#include "reports/whole_number.h"
+#include "scene/atomic_file.h"
+
+namespace gnomon::reports {
+namespace {
+
+constexpr int kBroken = 1;
+
+struct MeasureArguments {
+  std::vector<std::string> scenes, lights, methods, workloads, variants;
+  std::string json;
+  std::size_t queries = fuzz::WorkloadOptions{}.queries;
+  std::uint64_t seed = fuzz::WorkloadOptions{}.seed;
+  unsigned rounds = fuzz::MeasureOptions{}.rounds;
+};
+
+/// Throws for a name that is no workload's.
+void check_workload(const std::string& name) {
+  std::string known;
+  for (const fuzz::WorkloadKind& kind : fuzz::workload_kinds()) {
+    if (kind.name == name) return;
+    known += (known.empty() ? "" : ", ") + std::string(kind.name);
+  }
+  throw std::runtime_error("--workload: expected a workload (" + known + "), found \"" + name + "\"");
+}
+
+/// What is asked of one variant: `hard` is asked of all variants by default, the others of the scene as
+/// given.
+struct VariantRun {
+  const fuzz::SceneVariant* variant;
+  std::vector<std::string> workloads;
+};
+
+std::vector<VariantRun> variant_runs(const MeasureArguments& arguments) {
+  std::vector<std::string> workloads = arguments.workloads;
+  for (const std::string& name : workloads) check_workload(name);
+  if (workloads.empty()) {
+    for (const fuzz::WorkloadKind& kind : fuzz::workload_kinds()) workloads.emplace_back(kind.name);
+  }
+  std::vector<VariantRun> runs;
+  for (const std::string& name : arguments.variants) runs.push_back({&fuzz::scene_variant(name), workloads});
+  if (!runs.empty()) return runs;
+  const bool hard = std::find(workloads.begin(), workloads.end(), "hard") != workloads.end();
+  for (const fuzz::SceneVariant& variant : fuzz::scene_variants()) {
+    if (variant.name == "given") {
+      runs.push_back({&variant, workloads});
+    } else if (hard) {
+      runs.push_back({&variant, {"hard"}});
+    }
+  }
+  return runs;
+}
+
+/// The command as it can be typed again: where results go is left out.
+std::string command_of(const MeasureArguments& arguments) {
+  std::string text = "gnomon measure";
+  for (const std::string& scene : arguments.scenes) text += " " + scene;
+  for (const std::string& light : arguments.lights) text += " --light " + light;
+  for (const std::string& method : arguments.methods) text += " --method " + method;
+  for (const std::string& workload : arguments.workloads) text += " --workload " + workload;
+  for (const std::string& variant : arguments.variants) text += " --variant " + variant;
+  text += " --queries " + std::to_string(arguments.queries) + " --seed " + std::to_string(arguments.seed);
+  return text + " --rounds " + std::to_string(arguments.rounds);
+}
+
+int run_measure(MeasureArguments arguments) {
+  fuzz::MeasureOptions options;
+  options.methods = choose_scene_methods(arguments.methods);
+  options.chosen = !arguments.methods.empty();
+  options.rounds = arguments.rounds;
+  options.workload = {arguments.queries, arguments.seed};
+  const std::vector<VariantRun> runs = variant_runs(arguments);
+  for (const std::string& light : arguments.lights) options.lights.push_back(parse_light(light));
+  if (!arguments.json.empty()) scene::require_writable(arguments.json);
+  if (!fast::witness_fp_environment().is_strict()) {
+    throw std::runtime_error(
+        "the floating-point environment is not IEEE round-to-nearest with denormals: no result would hold");
+  }
+  std::vector<NamedScene> scenes;
+  for (const std::string& word : arguments.scenes) scenes.push_back(load_scene(word));
+
+  fuzz::Measurement measurement;
+  {
+    ProgressLine line;
+    const double parts = static_cast<double>(scenes.size() * runs.size());
+    double done = 0;
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      for (const VariantRun& run : runs) {
+        options.workloads = run.workloads;
+        fuzz::measure_scene(
+            scenes[i].name, scenes[i].scene, *run.variant, options, measurement,
+            [&](double share, const std::string& where) { line.show((done + share) / parts, where); });
+        ++done;
+      }
+      if (!arguments.json.empty()) {
+        scene::write_whole_file(
+            arguments.json,
+            measure_json(measurement, {command_of(arguments), arguments.rounds, i + 1 == scenes.size()}));
+      }
+    }
+  }
+  std::cout << measure_text(measurement);
+  for (const fuzz::ShadowRow& row : measurement.rows) {
+    if (!row.promise_broken()) continue;
+    std::cerr << "gnomon: " << row.method->name << " on " << row.scene << " (" << row.variant << ") "
+              << row.workload << " broke its promise (" << name_of(row.method->promise) << ")\n";
+  }
+  return measurement.promise_broken() ? kBroken : 0;
+}
+
+}  // namespace
+
+void add_measure_verb(CLI::App& app, std::function<int()>& run) {
+  CLI::App* const verb =
+      app.add_subcommand("measure", "Ask methods about scenes: errors, tests, time, memory");
+  const auto arguments = std::make_shared<MeasureArguments>();
+  const auto several = [verb](const char* name, std::vector<std::string>& words, const std::string& what) {
+    verb->add_option(name, words, what)->allow_extra_args(false);
+  };
+  verb->add_option("scene", arguments->scenes, "scenes: .nff, .off, .obj, .ply or .stl")->required();
+  several("--light", arguments->lights, "X,Y,Z: a point light instead of the scene's own (repeatable)");
+  several("--method", arguments->methods, "a method of `gnomon list` (repeatable); all without it");
+  several("--workload", arguments->workloads, "a workload (repeatable); all without it");
+  several("--variant", arguments->variants,
+          "given, moved, scaled-up or scaled-down (repeatable); without it hard is asked of all, the rest of "
+          "the scene as given");
+  // Queries are told apart by 32 bits, and each takes some hundred bytes in all.
+  verb->add_option("--queries", arguments->queries, "at most so many a workload")
+      ->check(whole_number(1, 100'000'000))
+      ->capture_default_str();
+  verb->add_option("--rounds", arguments->rounds, "timed rounds, all methods in turn in each")
+      ->check(whole_number(1, 1000))
+      ->capture_default_str();
+  verb->add_option("--seed", arguments->seed, "of workloads that are drawn at random")
+      ->check(whole_number(0, UINT64_MAX))
+      ->capture_default_str();
+  verb->add_option("--json", arguments->json, "result file");
+  std::string footer =
+      "A scene's numbers are rounded to floats first, so that all methods and the truth see the same ones. "
+      "One\n"
+      "without lights gets two, one without a view gets one, from its extent. Workloads:\n";
+  for (const fuzz::WorkloadKind& kind : fuzz::workload_kinds()) {
+    footer += "  " + std::string(kind.name) + std::string(12 - kind.name.size(), ' ') +
+              std::string(kind.description) + "\n";
+  }
+  footer += "Variants:\n";
+  for (const fuzz::SceneVariant& variant : fuzz::scene_variants()) {
+    footer += "  " + std::string(variant.name) + std::string(12 - variant.name.size(), ' ') +
+              std::string(variant.description) + "\n";
+  }
+  verb->footer(footer +
+               "Exit status: 1 when a method broke its promise.\n"
+               "Examples:\n"
+               "  gnomon measure balls.nff --json balls.json\n"
+               "  gnomon measure bunny.off --light 1,2,3 --method bvh-naive-f32 --method embree\n"
+               "  gnomon measure gears.nff --workload hard --variant moved --queries 1000000");
+  verb->final_callback([&run, arguments] { run = [arguments] { return run_measure(*arguments); }; });
+}
+
+}  // namespace gnomon::reports

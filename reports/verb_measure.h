@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The verb that asks methods about scenes and times them: measure.
+#pragma once
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace gnomon::reports {
+
+/// Adds the verb; once it is parsed, `run` is set to what it does and returns the exit status.
+void add_measure_verb(CLI::App& app, std::function<int()>& run);
+
+}  // namespace gnomon::reports
