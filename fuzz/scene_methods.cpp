@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The registry rows of shadow and first-hit. Adding a method is a caster (a file) and a row in the table.
 #include "fuzz/brute_caster.h"
+#include "fuzz/hierarchy_casters.h"
 #include "fuzz/scene_method.h"
 
 namespace gnomon::fuzz {
@@ -11,6 +12,15 @@ constexpr std::string_view kAllFloats = "all finite floats";
 const SceneMethod kRows[] = {
     {"brute-naive-f32", "naive", Promise::none, kAllFloats,
      "all faces, Moeller and Trumbore's test in floats", true, true, make_brute_caster},
+    {"bvh-naive-f32", "naive", Promise::none, kAllFloats, "hierarchy eight boxes wide, the usual float tests",
+     false, true, make_naive_hierarchy},
+    {"bvh-certified-f32", "certified", Promise::never_unsound,
+     "all finite floats; decides below 2^40 and above about 1e-9 units",
+     "the same kernels on error thresholds: right or undecided", false, true, make_certified_hierarchy},
+    {"bvh-exact", "exact", Promise::always_agrees, "all finite numbers",
+     "certified, the faces left open by exact predicates", false, true, make_exact_hierarchy},
+    {"reference", "reference", Promise::always_agrees, "all finite numbers",
+     "what judges the others: exact, and tells what is touching", false, true, make_reference},
 };
 
 }  // namespace
