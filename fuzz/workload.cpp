@@ -68,10 +68,28 @@ std::vector<std::uint32_t> shuffled_order(std::size_t count) {
   return order;
 }
 
+namespace {
+
+/// The share of the picture that sees a face, by a small one; at least the share of one pixel.
+double share_of_hits(const scene::View& view, const Oracle& oracle) {
+  const auto [columns, rows] = picture_size(view, 1024);
+  const Camera camera(view, columns, rows);
+  std::size_t hits = 0;
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t column = 0; column < columns; ++column) {
+      hits += oracle.first_hit(camera.ray(column, row)) != scene::kNoFace ? 1U : 0U;
+    }
+  }
+  return static_cast<double>(std::max<std::size_t>(hits, 1)) / static_cast<double>(columns * rows);
+}
+
+}  // namespace
+
 Queries record_primary(const scene::Scene& scene, const Oracle& oracle, const WorkloadOptions& options) {
   const std::vector<Vector3> lights = light_points(scene);
-  const std::size_t pixels = std::max<std::size_t>(1, options.queries / lights.size());
-  const auto [columns, rows] = picture_size(*scene.view, pixels);
+  const double pixels = static_cast<double>(std::max<std::size_t>(1, options.queries / lights.size()));
+  const auto [columns, rows] =
+      picture_size(*scene.view, static_cast<std::size_t>(pixels / share_of_hits(*scene.view, oracle)));
   const Camera camera(*scene.view, columns, rows);
   Queries queries;
   for (std::size_t row = 0; row < rows; ++row) {

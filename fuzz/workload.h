@@ -49,7 +49,8 @@ struct Workload {
 /// ones, for a name that is none.
 ///
 /// primary: the pixels of the view, each one's first hit to every light (polygon lights by
-///   kPointsPerPolygonLight points); the picture is made smaller until it asks no more than it may.
+///   kPointsPerPolygonLight points); the picture is made smaller than the view's where it would ask more
+///   than it may.
 /// surface: points of faces, uniform by area, to the lights in turn.
 /// light-rays: from each light towards random points of the scene's box to the first hit: the segment from
 ///   there (own face: the one hit), from a little beyond it and from a little before it back to the light.

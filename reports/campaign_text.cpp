@@ -9,6 +9,7 @@
 #include "fuzz/shaft_questions.h"
 #include "fuzz/statistics.h"
 #include "reports/environment.h"
+#include "reports/scene_methods_text.h"
 #include "scene/builtin.h"
 
 namespace gnomon::reports {
@@ -116,8 +117,8 @@ std::string campaign_text(const fuzz::CampaignResult& result) {
 
 std::string list_text(const fuzz::Plugins* plugins) {
   std::string text = "Questions and methods (name, tier, scalars, promise, what it is):\n\n";
-  text +=
-      methods_text<fuzz::ShaftBoxQuestion>(plugins) + "\n" + methods_text<fuzz::ShaftBallQuestion>(plugins);
+  text += methods_text<fuzz::ShaftBoxQuestion>(plugins) + "\n" +
+          methods_text<fuzz::ShaftBallQuestion>(plugins) + "\n" + scene_methods_text();
   text +=
       "\nDistributions (NAME or NAME:ARG, @K for K cases a shaft; at least these shares "
       "outside/overlap/inside, of "
@@ -138,7 +139,7 @@ std::string list_text(const fuzz::Plugins* plugins) {
                         scene.name, scene.summary, "", scene.faces(scene.default_size), scene.default_size,
                         scene.largest_size, scene.size_means, "", scene.stands_for);
   }
-  text += "\nNot built in: Embree, EGL, MPI (no question needs them yet)\n";
+  text += fmt::format("\nNot built in: {}\n", fmt::join(not_built_in(), ", "));
   return text;
 }
 
@@ -146,7 +147,7 @@ std::string list_json(const fuzz::Plugins* plugins) {
   nlohmann::ordered_json json;
   json["tool"] = version();
   json["questions"] = {methods_json<fuzz::ShaftBoxQuestion>(plugins),
-                       methods_json<fuzz::ShaftBallQuestion>(plugins)};
+                       methods_json<fuzz::ShaftBallQuestion>(plugins), shadow_question_json()};
   json["distributions"] = nlohmann::ordered_json::array();
   for (const fuzz::Distribution& distribution : fuzz::distributions()) {
     json["distributions"].push_back({{"name", distribution.name},
@@ -168,7 +169,7 @@ std::string list_json(const fuzz::Plugins* plugins) {
                               {"largest_size", scene.largest_size},
                               {"faces", scene.faces(scene.default_size)}});
   }
-  json["not_built_in"] = {"Embree", "EGL", "MPI"};
+  json["not_built_in"] = not_built_in();
   return json.dump(1) + "\n";
 }
 

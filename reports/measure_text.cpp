@@ -34,7 +34,7 @@ std::string header_text(const ShadowRow& row) {
   };
   return fmt::format(
       "\nshadow {} ({}) {}: {} faces, {} queries, exactly {}; touching {}\n"
-      "  {:<20}{:>9}{:>9}{:>9}{:>10}{:>10}{:>9}{:>8}{:>8}{:>19}{:>9}{:>9}{:>10}\n",
+      "  {:<20}{:>9}{:>9}{:>9}{:>10}{:>10}{:>9}{:>8}{:>8}{:>26}{:>10}{:>9}{:>10}\n",
       row.scene, row.variant, row.workload, row.faces, row.queries(), of(row.matrix), of(row.touching),
       "method", "f. lit", "f. shad.", "of touch", "f.lit rt", "f.shad rt", "undecid.", "boxes", "faces",
       "ns [25 %, 75 %]", "shuffled", "set-up", "memory");
@@ -48,7 +48,7 @@ std::string row_text(const ShadowRow& row, const fuzz::ShadowTimes& times, const
   };
   const fuzz::TestCounts tests = row.tests.value_or(fuzz::TestCounts{});
   std::string text = fmt::format(
-      "  {:<20}{:>9}{:>9}{:>9}{:>10}{:>10}{:>9}{:>8}{:>8}{:>19}{:>9.1f}{:>9}{:>10}", row.method->name,
+      "  {:<20}{:>9}{:>9}{:>9}{:>10}{:>10}{:>9}{:>8}{:>8}{:>26}{:>10.1f}{:>9}{:>10}", row.method->name,
       ShadowRow::false_lit(m), ShadowRow::false_shadowed(m), ShadowRow::unsound(row.touching),
       rate_text(ShadowRow::false_lit(m), row.dark()),
       rate_text(ShadowRow::false_shadowed(m), ShadowRow::truths(m, 0)),

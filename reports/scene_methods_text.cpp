@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/scene_methods_text.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "fuzz/scene_variant.h"
+#include "fuzz/workload.h"
+#include "reports/peers/peers.h"
+
+namespace gnomon::reports {
+
+std::string scene_methods_text() {
+  std::string text = "shadow (gnomon measure, gnomon render)\n";
+  for (const fuzz::SceneMethod& method : all_scene_methods()) {
+    text += fmt::format("  {:<19} {:<11}{:<9}{:<16}{}\n", method.name, method.tier, "f32",
+                        name_of(method.promise), method.summary);
+  }
+  text += "\nWorkloads of shadow:\n\n";
+  for (const fuzz::WorkloadKind& kind : fuzz::workload_kinds()) {
+    text += fmt::format("  {:<16}{}\n", kind.name, kind.description);
+  }
+  text += "\nVariants of scenes:\n\n";
+  for (const fuzz::SceneVariant& variant : fuzz::scene_variants()) {
+    text += fmt::format("  {:<16}{}\n", variant.name, variant.description);
+  }
+  return text;
+}
+
+nlohmann::ordered_json shadow_question_json() {
+  using Json = nlohmann::ordered_json;
+  Json methods = Json::array(), workloads = Json::array(), variants = Json::array();
+  for (const fuzz::SceneMethod& method : all_scene_methods()) {
+    methods.push_back({{"name", method.name},
+                       {"tier", method.tier},
+                       {"promise", name_of(method.promise)},
+                       {"scalars", {"f32"}},
+                       {"domain", method.domain},
+                       {"in_batches", false},
+                       {"balls", method.has_balls},
+                       {"summary", method.summary}});
+  }
+  for (const fuzz::WorkloadKind& kind : fuzz::workload_kinds()) {
+    workloads.push_back({{"name", kind.name}, {"description", kind.description}});
+  }
+  for (const fuzz::SceneVariant& variant : fuzz::scene_variants()) {
+    variants.push_back({{"name", variant.name}, {"description", variant.description}});
+  }
+  return {{"id", "shadow"},
+          {"answers", fuzz::kShadowAnswers},
+          {"methods", methods},
+          {"workloads", workloads},
+          {"variants", variants}};
+}
+
+std::vector<std::string> not_built_in() {
+  std::vector<std::string> missing;
+  if (!has_embree()) missing.emplace_back("Embree");
+  missing.insert(missing.end(), {"EGL", "MPI"});
+  return missing;
+}
+
+}  // namespace gnomon::reports

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What `gnomon list` says of questions about scenes.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+namespace gnomon::reports {
+
+/// The rows of shadow with the peers that are built in, then workloads and variants of scenes.
+[[nodiscard]] std::string scene_methods_text();
+
+/// The question shadow in the form of the others, and its workloads and variants.
+[[nodiscard]] nlohmann::ordered_json shadow_question_json();
+
+/// What could be built in and is not.
+[[nodiscard]] std::vector<std::string> not_built_in();
+
+}  // namespace gnomon::reports
