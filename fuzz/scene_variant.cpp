@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuzz/scene_variant.h"
+#include "scene/printable.h"
 
 #include <stdexcept>
 #include <string>
@@ -27,8 +28,8 @@ const SceneVariant& scene_variant(std::string_view name) {
     if (variant.name == name) return variant;
     known += (known.empty() ? "" : ", ") + std::string(variant.name);
   }
-  throw std::runtime_error("--variant: expected a variant (" + known + "), found \"" + std::string(name) +
-                           "\"");
+  throw std::runtime_error("--variant: expected a variant (" + known + "), found \"" +
+                           scene::printable(name) + "\"");
 }
 
 std::array<double, 3> transformed(const std::array<double, 3>& point, const SceneVariant& variant) {

@@ -11,6 +11,7 @@
 #include "fuzz/surface_sampler.h"
 #include "fuzz/vectors.h"
 #include "fuzz/workload_parts.h"
+#include "scene/printable.h"
 #include "scene/scene_facts.h"
 
 namespace gnomon::fuzz {
@@ -43,8 +44,8 @@ Workload record_workload(std::string_view name, const scene::Scene& scene, const
     }
     known += (known.empty() ? "" : ", ") + std::string(kKinds[i].name);
   }
-  throw std::runtime_error("--workload: expected a workload (" + known + "), found \"" + std::string(name) +
-                           "\"");
+  throw std::runtime_error("--workload: expected a workload (" + known + "), found \"" +
+                           scene::printable(name) + "\"");
 }
 
 void thin(std::vector<scene::ShadowQuery>& queries, std::size_t count) {

@@ -15,6 +15,7 @@
 #include "reports/scene_source.h"
 #include "reports/whole_number.h"
 #include "scene/atomic_file.h"
+#include "scene/printable.h"
 
 namespace gnomon::reports {
 namespace {
@@ -36,7 +37,8 @@ void check_workload(const std::string& name) {
     if (kind.name == name) return;
     known += (known.empty() ? "" : ", ") + std::string(kind.name);
   }
-  throw std::runtime_error("--workload: expected a workload (" + known + "), found \"" + name + "\"");
+  throw std::runtime_error("--workload: expected a workload (" + known + "), found \"" +
+                           scene::printable(name) + "\"");
 }
 
 /// What is asked of one variant: `hard` is asked of all variants by default, the others of the scene as
@@ -167,7 +169,7 @@ void add_measure_verb(CLI::App& app, std::function<int()>& run) {
                "Exit status: 1 when a method broke its promise.\n"
                "Examples:\n"
                "  gnomon measure balls.nff --json balls.json\n"
-               "  gnomon measure bunny.off --light 1,2,3 --method bvh-naive-f32 --method embree\n"
+               "  gnomon measure bunny.off --light 1,2,3 --method bvh-naive-f32 --method bvh-exact\n"
                "  gnomon measure gears.nff --workload hard --variant moved --queries 1000000");
   verb->final_callback([&run, arguments] { run = [arguments] { return run_measure(*arguments); }; });
 }

@@ -16,6 +16,7 @@
 #include "reports/scene_source.h"
 #include "reports/shadow_picture.h"
 #include "scene/atomic_file.h"
+#include "scene/printable.h"
 #include "scene/single.h"
 #include "scene/tokens.h"
 
@@ -39,7 +40,8 @@ std::array<std::size_t, 2> parse_size(const std::string& text) {
   if (!cross || second.ec != std::errc{} || second.ptr != end || size[0] < 1 || size[1] < 1 ||
       size[0] > kMostPixels / size[1]) {
     throw std::runtime_error("--size: expected WxH of at least 1x1 and at most " +
-                             std::to_string(kMostPixels) + " pixels, found \"" + text + "\"");
+                             std::to_string(kMostPixels) + " pixels, found \"" + scene::printable(text) +
+                             "\"");
   }
   return size;
 }
@@ -55,7 +57,8 @@ void say_wrong(const WrongPixels& wrong, const std::string& method) {
 int run_render(const RenderArguments& arguments) {
   const fuzz::SceneMethod& method = *choose_scene_methods({arguments.method}).front();
   if (!scene::equals_ignoring_case(std::filesystem::path(arguments.out).extension().string(), ".png")) {
-    throw std::runtime_error("-o: expected a file name that ends in .png, found \"" + arguments.out + "\"");
+    throw std::runtime_error("-o: expected a file name that ends in .png, found \"" +
+                             scene::printable(arguments.out) + "\"");
   }
   std::array<std::size_t, 2> size{};
   if (!arguments.size.empty()) size = parse_size(arguments.size);

@@ -45,7 +45,8 @@ TEST(CommandLine, HelpShowsAnExampleOfEveryVerb) {
   EXPECT_TRUE(has(top.out, "Examples:"));
   EXPECT_TRUE(has(top.out, "Exit status:"));
   const std::vector<std::string> names = verbs();
-  for (const std::string verb : {"list", "fuzz", "replay", "explain", "report", "claims", "scene"}) {
+  for (const std::string verb :
+       {"list", "fuzz", "replay", "explain", "report", "claims", "scene", "measure", "render"}) {
     EXPECT_NE(std::find(names.begin(), names.end(), verb), names.end()) << verb;
   }
   for (const std::string& verb : names) {
@@ -96,7 +97,9 @@ TEST(CommandLine, ListSaysWhatThereIs) {
   const json all = json::parse(machine.out);
   std::map<std::string, std::size_t> methods;
   for (const json& question : all.at("questions")) {
-    EXPECT_EQ(question.at("answers"), (json{"outside", "overlap", "inside"}));
+    const bool shadow = question.at("id") == "shadow";
+    EXPECT_EQ(question.at("answers"),
+              shadow ? (json{"lit", "shadowed", "facing"}) : (json{"outside", "overlap", "inside"}));
     for (const json& method : question.at("methods")) {
       ++methods[question.at("id")];
       EXPECT_TRUE(has(text.out, method.at("name"))) << method;
@@ -107,6 +110,7 @@ TEST(CommandLine, ListSaysWhatThereIs) {
   }
   EXPECT_GE(methods["shaft-box"], 10u);
   EXPECT_GE(methods["shaft-sphere"], 9u);
+  EXPECT_GE(methods["shadow"], 7u);
   EXPECT_GE(all.at("distributions").size(), 11u);
   for (const json& distribution : all.at("distributions")) {
     EXPECT_TRUE(has(text.out, distribution.at("name"))) << distribution;

@@ -7,6 +7,7 @@
 #include "reports/peers/cgal_caster.h"
 #ifdef GNOMON_HAS_EMBREE
 #include "reports/peers/embree_caster.h"
+#include "scene/printable.h"
 #endif
 
 namespace gnomon::reports {
@@ -68,7 +69,8 @@ std::vector<const SceneMethod*> choose_scene_methods(const std::vector<std::stri
   for (const std::string& name : names) {
     if (std::none_of(chosen.begin(), chosen.end(),
                      [&](const SceneMethod* method) { return method->name == name; })) {
-      throw std::runtime_error("--method: expected a method (" + known + "), found \"" + name + "\"");
+      throw std::runtime_error("--method: expected a method (" + known + "), found \"" +
+                               scene::printable(name) + "\"");
     }
   }
   return chosen;

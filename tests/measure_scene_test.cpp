@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Measuring: methods that lie are caught, counts are what they say.
+#include "fuzz/measure_scene.h"
+
+#include <gtest/gtest.h>
+
+#include "reports/peers/peers.h"
+#include "tests/shadow_scenes.h"
+
+namespace gnomon::fuzz {
+namespace {
+
+/// Says one thing of everything.
+template <Answer kAlways>
+class Parrot : public SceneCaster {
+ public:
+  void shadows(std::span<const scene::ShadowQuery> /*queries*/, std::span<Answer> answers) const override {
+    std::fill(answers.begin(), answers.end(), kAlways);
+  }
+  void first_hits(std::span<const scene::RayQuery> /*rays*/, std::span<std::uint32_t> faces) const override {
+    std::fill(faces.begin(), faces.end(), scene::kNoFace);
+  }
+  [[nodiscard]] std::size_t bytes() const override { return 42; }
+};
+
+template <Answer kAlways>
+SceneMethod parrot(Promise promise) {
+  return {"parrot", "naive", promise, "", "", false, true, [](const scene::Scene&) {
+            return std::unique_ptr<SceneCaster>(std::make_unique<Parrot<kAlways>>());
+          }};
+}
+
+Measurement measure(const SceneMethod& method, const std::vector<std::string>& workloads = {"surface"}) {
+  MeasureOptions options;
+  options.workload.queries = 500;
+  options.workloads = workloads;
+  options.methods = {&method};
+  options.rounds = 2;
+  Measurement measurement;
+  measure_scene("s", scene::read_nff_text(tests::kBallsNff).scene, scene_variant("given"), options,
+                measurement, {});
+  return measurement;
+}
+
+TEST(MeasureScene, FindsBrokenPromises) {
+  EXPECT_FALSE(measure(parrot<0>(Promise::none)).promise_broken());
+  EXPECT_TRUE(measure(parrot<0>(Promise::never_unsound)).promise_broken());
+  EXPECT_TRUE(measure(parrot<1>(Promise::never_unsound)).promise_broken());
+  EXPECT_TRUE(measure(parrot<2>(Promise::never_unsound)).promise_broken());
+  EXPECT_FALSE(measure(parrot<kUndecided>(Promise::never_unsound)).promise_broken());
+  EXPECT_TRUE(measure(parrot<kUndecided>(Promise::always_agrees)).promise_broken());
+  EXPECT_TRUE(measure(parrot<kRejected>(Promise::always_agrees)).promise_broken());
+}
+
+TEST(MeasureScene, CountsErrorsByDirection) {
+  const Measurement lit = measure(parrot<0>(Promise::none)), dark = measure(parrot<1>(Promise::none));
+  ASSERT_EQ(lit.rows.size(), 1u);
+  const ShadowRow &a = lit.rows[0], &b = dark.rows[0];
+  EXPECT_EQ(a.queries(), 500u);
+  EXPECT_EQ(ShadowRow::false_lit(a.matrix), a.dark());
+  EXPECT_EQ(ShadowRow::false_shadowed(a.matrix), 0u);
+  EXPECT_EQ(ShadowRow::false_shadowed(b.matrix), ShadowRow::truths(b.matrix, 0));
+  EXPECT_EQ(ShadowRow::wrong_reason(b.matrix), ShadowRow::truths(b.matrix, 2));
+  EXPECT_GT(ShadowRow::truths(b.matrix, 2), 0u);
+  EXPECT_EQ(ShadowRow::unsound(b.matrix), 500 - ShadowRow::truths(b.matrix, 1));
+  EXPECT_EQ(a.faces, 2u + 64 + 2 + 1);
+  EXPECT_FALSE(a.tests);
+  ASSERT_EQ(lit.set_ups.size(), 1u);
+  EXPECT_EQ(lit.set_ups[0].bytes, 42u);
+  EXPECT_EQ(lit.times.size(), 1u);
+}
+
+TEST(MeasureScene, CountsTouchingApart) {
+  const Measurement measured = measure(parrot<0>(Promise::none), {"hard"});
+  const ShadowRow& row = measured.rows.at(0);
+  EXPECT_GT(ShadowRow::unsound(row.touching), 0u);
+  EXPECT_LT(ShadowRow::unsound(row.touching), ShadowRow::unsound(row.matrix));
+}
+
+TEST(MeasureScene, SaysWhatItLeavesOut) {
+  const auto methods = reports::choose_scene_methods({"cgal-epick"});
+  const Measurement measured = measure(*methods.front(), {"surface", "emitter"});
+  EXPECT_TRUE(measured.rows.empty());
+  ASSERT_EQ(measured.notes.size(), 3u);
+  EXPECT_NE(measured.notes[0].find("rounded to floats"), std::string::npos) << measured.notes[0];
+  EXPECT_NE(measured.notes[1].find("cgal-epick left out"), std::string::npos) << measured.notes[1];
+  EXPECT_NE(measured.notes[2].find("emitter left out"), std::string::npos) << measured.notes[2];
+}
+
+TEST(MeasureScene, RefusesScenesBeyondTheRangeOfFloats) {
+  scene::Scene scene = scene::read_nff_text("s 0 0 0 1e38\n").scene;
+  MeasureOptions options;
+  Measurement measurement;
+  EXPECT_THROW(measure_scene("s", scene, scene_variant("scaled-up"), options, measurement, {}),
+               std::runtime_error);
+}
+
+TEST(Spread, IsOfQuartiles) {
+  const Spread five = spread_of({5, 1, 4, 2, 3});
+  EXPECT_EQ(five.median, 3);
+  EXPECT_EQ(five.low25, 2);
+  EXPECT_EQ(five.high75, 4);
+  const Spread two = spread_of({2, 1});
+  EXPECT_EQ(two.median, 1.5);
+  EXPECT_EQ(two.low25, 1.25);
+  EXPECT_EQ(spread_of({7}).high75, 7);
+}
+
+}  // namespace
+}  // namespace gnomon::fuzz
