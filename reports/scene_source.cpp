@@ -6,14 +6,14 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "scene/find_scene.h"
 #include "scene/input_error.h"
 #include "scene/parse_number.h"
-#include "scene/read_scene.h"
 
 namespace gnomon::reports {
 
 NamedScene load_scene(const std::string& word) {
-  NamedScene named{word, scene::read_scene(word).scene};
+  NamedScene named{word, scene::find_scene(word).loaded.scene};
   if (named.scene.face_count() == 0)
     throw scene::InputError(word, 0, "expected a scene with faces, found none");
   return named;

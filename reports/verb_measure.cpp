@@ -21,6 +21,8 @@ namespace gnomon::reports {
 namespace {
 
 constexpr int kBroken = 1;
+/// What is measured where no scene is named: a room, balls, a fractal, a park; minutes in all.
+constexpr const char* kDefaultScenes[] = {"living-room", "sphereflake:3", "tetra:5", "gazebo"};
 
 struct MeasureArguments {
   std::vector<std::string> scenes, lights, methods, workloads, variants;
@@ -81,6 +83,7 @@ std::string command_of(const MeasureArguments& arguments) {
 }
 
 int run_measure(MeasureArguments arguments) {
+  if (arguments.scenes.empty()) arguments.scenes.assign(std::begin(kDefaultScenes), std::end(kDefaultScenes));
   fuzz::MeasureOptions options;
   options.methods = choose_scene_methods(arguments.methods);
   options.chosen = !arguments.methods.empty();
@@ -134,7 +137,9 @@ void add_measure_verb(CLI::App& app, std::function<int()>& run) {
   const auto several = [verb](const char* name, std::vector<std::string>& words, const std::string& what) {
     verb->add_option(name, words, what)->allow_extra_args(false);
   };
-  verb->add_option("scene", arguments->scenes, "scenes: .nff, .off, .obj, .ply or .stl")->required();
+  verb->add_option("scene", arguments->scenes,
+                   "files (.nff, .off, .obj, .ply or .stl) or built-in scenes: NAME or NAME:SIZE; without "
+                   "it living-room, sphereflake:3, tetra:5 and gazebo");
   several("--light", arguments->lights, "X,Y,Z: a point light instead of the scene's own (repeatable)");
   several("--method", arguments->methods, "a method of `gnomon list` (repeatable); all without it");
   several("--workload", arguments->workloads, "a workload (repeatable); all without it");
@@ -168,7 +173,8 @@ void add_measure_verb(CLI::App& app, std::function<int()>& run) {
   verb->footer(footer +
                "Exit status: 1 when a method broke its promise.\n"
                "Examples:\n"
-               "  gnomon measure balls.nff --json balls.json\n"
+               "  gnomon measure --json default.json\n"
+               "  gnomon measure office balls.nff --queries 20000 --json both.json\n"
                "  gnomon measure bunny.off --light 1,2,3 --method bvh-naive-f32 --method bvh-exact\n"
                "  gnomon measure gears.nff --workload hard --variant moved --queries 1000000");
   verb->final_callback([&run, arguments] { run = [arguments] { return run_measure(*arguments); }; });

@@ -97,7 +97,9 @@ int run_render(const RenderArguments& arguments) {
 void add_render_verb(CLI::App& app, std::function<int()>& run) {
   CLI::App* const verb = app.add_subcommand("render", "Draw a scene's shadows as one method sees them");
   const auto arguments = std::make_shared<RenderArguments>();
-  verb->add_option("scene", arguments->scene, "a scene: .nff, .off, .obj, .ply or .stl")->required();
+  verb->add_option("scene", arguments->scene,
+                   "a file (.nff, .off, .obj, .ply or .stl), or a built-in scene: NAME or NAME:SIZE")
+      ->required();
   verb->add_option("--method", arguments->method, "a method of `gnomon list`")->required();
   verb->add_option("-o,--out", arguments->out, "the picture, FILE.png")->required();
   verb->add_flag("--errors", arguments->errors,

@@ -130,11 +130,12 @@ TEST(CommandLineMeasure, RefusesBadInputInOneLineAndWritesNothing) {
   folder.write("points.off", "OFF\n1 0 0\n0 0 0\n");
   const std::set<std::string> before = folder.entries();
   const std::pair<std::vector<std::string>, std::string> calls[] = {
-      {{}, "scene"},
+      {{"sphereflake:99", "s.nff"}, "sphereflake:99"},
+      {{"no-such-scene"}, "no-such-scene: expected"},
       {{"none.nff"}, "none.nff: expected"},
       {{"bad.nff"}, "bad.nff:2: expected"},
       {{"far.off"}, "far.off (given): expected a coordinate within the range of floats, found 1e+40"},
-      {{"points.off"}, "points.off: expected"},
+      {{"points.off"}, "points.off:2: expected"},
       {{"s.nff", "--method", "bvh"}, "--method: expected a method (brute-naive-f32, "},
       {{"s.nff", "--method", "\x1b[31m"}, "found \"\\x1b[31m\""},
       {{"s.nff", "--workload", "all"}, "--workload: expected a workload (primary, "},
