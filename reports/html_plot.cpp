@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "reports/html_panel.h"
 #include "reports/html_sections.h"
 #include "reports/html_text.h"
 #include "reports/plot_layout.h"
@@ -11,96 +12,16 @@
 namespace gnomon::reports {
 namespace {
 
-constexpr double kLeft = 50, kTop = 28, kRight = 10, kBottom = 44;  // pixels around the panel
-
-struct PanelText {
+struct PanelKind {
   Measure measure;
-  const char* title;
-  const char* axis;
+  PanelText text;
 };
 
-constexpr PanelText kPanels[] = {
-    {Measure::kCulls, "Unsound: culled though it meets", "false culls / cases that are not outside"},
-    {Measure::kInsides, "Unsound: “inside” though it is not", "false insides / cases that are not inside"},
-    {Measure::kWaste, "Waste: kept though outside", "kept / cases that are exactly outside"},
+constexpr PanelKind kPanels[] = {
+    {Measure::kCulls, {"Unsound: culled though it meets", "false culls / cases that are not outside"}},
+    {Measure::kInsides, {"Unsound: “inside” though it is not", "false insides / cases that are not inside"}},
+    {Measure::kWaste, {"Waste: kept though outside", "kept / cases that are exactly outside"}},
 };
-
-/// Filled or hollow: circle for f32, square for f64, diamond for everything else.
-std::string mark(const PlotPoint& p, double x, double y) {
-  const std::string classes = fmt::format("mark t-{}{}", escaped(p.tier), p.errors.k == 0 ? " zero" : "");
-  if (p.scalar == "f32")
-    return fmt::format("<circle class=\"{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"5\"/>", classes, x, y);
-  const char* shape =
-      p.scalar == "f64" ? "M{:.1f} {:.1f}m-4.5-4.5h9v9h-9z" : "M{:.1f} {:.1f}m0-6 6 6-6 6-6-6z";
-  return fmt::format("<path class=\"{}\" d=\"{}\"/>", classes, fmt::format(fmt::runtime(shape), x, y));
-}
-
-std::string tooltip(const PlotPoint& p) {
-  return fmt::format("{} ({}): {}, {} [95 %: {} to {}]; {}", p.method, p.tier, share_text(p.errors),
-                     rate_text(p.errors.rate.value), rate_text(p.errors.rate.low95),
-                     rate_text(p.errors.rate.high95), time_text(p.true_ns));
-}
-
-std::string axes(const PlotPanel& panel, const PanelText& text) {
-  const double width = PlotPanel::kWidth, height = PlotPanel::kHeight;
-  std::string out = fmt::format("<text class=\"title\" x=\"0\" y=\"-12\">{}</text>", text.title);
-  for (const auto& [value, label] : panel.y.ticks) {
-    const double y = (1 - panel.y.share(value)) * height;
-    out += fmt::format(
-        "<path class=\"grid\" d=\"M0 {0:.1f}H{1:.0f}\"/><text class=\"tick\" x=\"-6\" y=\"{2:.1f}\" "
-        "text-anchor=\"end\">{3}</text>",
-        y, width, y + 4, label);
-  }
-  for (const auto& [value, label] : panel.x.ticks) {
-    const double x = panel.x.share(value) * width;
-    out += fmt::format(
-        "<path class=\"grid\" d=\"M{0:.1f} 0V{1:.0f}\"/><text class=\"tick\" x=\"{0:.1f}\" y=\"{2:.0f}\" "
-        "text-anchor=\"middle\">{3}</text>",
-        x, height, height + 15, label);
-  }
-  out += fmt::format("<path class=\"frame\" d=\"M0 0V{0:.0f}H{1:.0f}\"/>", height, width);
-  out += fmt::format(
-      "<text class=\"tick\" x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"middle\">ns per case (log)</text>",
-      width / 2, height + 34);
-  out += fmt::format(
-      "<text class=\"tick\" transform=\"translate(-38 {:.0f}) rotate(-90)\" text-anchor=\"middle\">{} "
-      "(log)</text>",
-      height / 2, text.axis);
-  for (const ReferenceLine& line : panel.references) {
-    const double x = panel.x.share(line.ns) * width;
-    out += fmt::format(
-        "<path class=\"reference\" d=\"M{0:.1f} 0V{1:.0f}\"/><text class=\"tick\" "
-        "transform=\"translate({2:.1f} 2) rotate(-90)\" text-anchor=\"end\">{3}</text>",
-        x, height, x - 5, escaped(line.label));
-  }
-  return out;
-}
-
-std::string panel_svg(const PlotPanel& panel, const PanelText& text, const std::string& question) {
-  std::string out = fmt::format(
-      "<svg class=\"plot\" role=\"img\" aria-label=\"{} against time for {}\" viewBox=\"0 0 {:.0f} "
-      "{:.0f}\"><g transform=\"translate({:.0f} {:.0f})\">",
-      text.title, escaped(question), kLeft + PlotPanel::kWidth + kRight, kTop + PlotPanel::kHeight + kBottom,
-      kLeft, kTop);
-  out += axes(panel, text);
-  for (const PlotPoint& p : panel.points) {
-    const auto height = [&](double rate) { return (1 - panel.y.share(rate)) * PlotPanel::kHeight; };
-    const double x = panel.x.share(p.ns) * PlotPanel::kWidth, y = height(p.height());
-    const std::string tier = escaped(p.tier);
-    out += fmt::format("<g><title>{}</title>", escaped(tooltip(p)));
-    if (p.errors.k == 0) {
-      out += fmt::format("<path class=\"whisker t-{}\" d=\"M{:.1f} {:.1f}v14m-3.5-4.5 3.5 4.5 3.5-4.5\"/>",
-                         tier, x, y + 5);
-    } else {
-      out += fmt::format("<path class=\"whisker t-{}\" d=\"M{:.1f} {:.1f}V{:.1f}\"/>", tier, x,
-                         height(p.errors.rate.low95), height(p.errors.rate.high95));
-    }
-    out += mark(p, x, y);
-    out += fmt::format("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text></g>",
-                       x + p.label_dx, y + p.label_dy, p.label_anchor, escaped(p.label()));
-  }
-  return out + "</g></svg>\n";
-}
 
 nlohmann::json axis_json(const LogAxis& axis) {
   nlohmann::json ticks = nlohmann::json::array();
@@ -173,10 +94,10 @@ PlotPanel make_panel(const QuestionData& question, std::span<const Summary> summ
 
 nlohmann::json question_json(const QuestionData& question) {
   nlohmann::json panels = nlohmann::json::array();
-  for (const PanelText& text : kPanels) {
-    if (!question.shows(text.measure)) continue;
+  for (const PanelKind& kind : kPanels) {
+    if (!question.shows(kind.measure)) continue;
     const auto view = [&](const std::string& name, std::span<const Summary> summaries) {
-      const PlotPanel panel = make_panel(question, summaries, text.measure);
+      const PlotPanel panel = make_panel(question, summaries, kind.measure);
       nlohmann::json json = {
           {"name", name}, {"x", axis_json(panel.x)}, {"points", points_json(panel.points)}};
       json["references"] = nlohmann::json::array();
@@ -188,9 +109,9 @@ nlohmann::json question_json(const QuestionData& question) {
     nlohmann::json views = nlohmann::json::array({view("", question.pooled), view("*", question.apart)});
     for (const std::string& name : question.distributions())
       views.push_back(view("=" + name, question.on(name)));
-    const PlotPanel frame = make_panel(question, question.pooled, text.measure);
+    const PlotPanel frame = make_panel(question, question.pooled, kind.measure);
     panels.push_back(
-        {{"title", text.title}, {"axis", text.axis}, {"y", axis_json(frame.y)}, {"views", views}});
+        {{"title", kind.text.title}, {"axis", kind.text.axis}, {"y", axis_json(frame.y)}, {"views", views}});
   }
   return {{"name", question.name}, {"panels", panels}};
 }
@@ -227,9 +148,9 @@ std::string plot_section(std::span<const ResultFile> files) {
   nlohmann::json data = nlohmann::json::array();
   for (const auto& [name, question] : questions) {
     std::string panels;
-    for (const PanelText& text : kPanels) {
-      if (question.shows(text.measure)) {
-        panels += panel_svg(make_panel(question, question.pooled, text.measure), text, name);
+    for (const PanelKind& kind : kPanels) {
+      if (question.shows(kind.measure)) {
+        panels += panel_svg(make_panel(question, question.pooled, kind.measure), kind.text, name);
       }
     }
     if (!panels.empty()) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "reports/assets.h"
+#include "reports/html_measure.h"
 #include "reports/html_sections.h"
 #include "reports/ledger.h"
 #include "reports/result_reader.h"
@@ -32,7 +33,7 @@ std::string scripts() {
   return out;
 }
 
-std::string page(std::span<const ResultFile> files) {
+std::string page(std::span<const ResultFile> files, const std::string& scenes) {
   std::string out =
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
       "content=\"width=device-width, initial-scale=1\">\n<meta name=\"color-scheme\" content=\"light "
@@ -40,7 +41,7 @@ std::string page(std::span<const ResultFile> files) {
       "<title>gnomon report</title>\n<link rel=\"icon\" href=\"data:,\">\n";
   out += fmt::format("<style>\n{}</style>\n</head>\n<body>\n<main>\n", asset("report.css"));
   out += verdict_section(files) + plot_section(files) + methods_section(files) + rows_section(files) +
-         error_sources_section(files) + mix_section(files) + witness_section(files) +
+         scenes + error_sources_section(files) + mix_section(files) + witness_section(files) +
          other_results_section(files) + claims_section(ledger()) + foot_section(files);
   out += "</main>\n" + scripts() + "</body>\n</html>\n";
   return out;
@@ -49,7 +50,7 @@ std::string page(std::span<const ResultFile> files) {
 }  // namespace
 
 void write_html_report(const std::filesystem::path& dir, const std::filesystem::path& out) {
-  scene::write_whole_file(out, page(read_result_folder(dir)));
+  scene::write_whole_file(out, page(read_result_folder(dir), measure_section(dir)));
 }
 
 }  // namespace gnomon::reports

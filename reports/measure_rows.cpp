@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/measure_rows.h"
+
+#include "reports/json_node.h"
+
+namespace gnomon::reports {
+namespace {
+
+Share share(const Node& node) {
+  const Node hits = node.at("hits"), of = node.at("of");
+  if (hits.count() > of.count()) hits.fail("a count of at most `of`");
+  return share_of(hits.count(), of.count());
+}
+
+/// A count of queries, which can't be more than there are.
+std::uint64_t count_of(const Node& node, const char* key, std::uint64_t queries) {
+  const Node count = node.at(key);
+  if (count.count() > queries) count.fail("a count of at most `queries`");
+  return count.count();
+}
+
+MeasureRow row(const Node& node) {
+  MeasureRow r;
+  r.scene = node.at("scene").text();
+  r.variant = node.at("variant").text();
+  r.workload = node.at("workload").text();
+  r.method = node.at("method").text();
+  r.tier = node.at("tier").text();
+  r.promise = node.at("promise").text();
+  r.faces = node.at("faces").count();
+  r.queries = node.at("queries").count();
+  r.false_lit = share(node.at("false_lit_rate"));
+  r.false_shadowed = share(node.at("false_shadowed_rate"));
+  r.wrong_reason = count_of(node, "wrong_reason", r.queries);
+  r.unsound = count_of(node, "unsound", r.queries);
+  r.unsound_touching = count_of(node.at("touching"), "unsound", r.unsound);
+  r.undecided = count_of(node, "undecided", r.queries);
+  r.rejected = count_of(node, "rejected", r.queries);
+  r.promise_broken = node.at("promise_broken").flag();
+  if (node.has("tests_per_query")) {
+    const Node tests = node.at("tests_per_query");
+    r.boxes = tests.at("boxes").number();
+    r.face_tests = tests.at("faces").number();
+    r.exact = tests.at("exact").number();
+  }
+  return r;
+}
+
+TimeSpread spread(const Node& ns) {
+  const TimeSpread s{ns.at("median").number(), ns.at("low25").number(), ns.at("high75").number()};
+  if (!(0 <= s.low25 && s.low25 <= s.median && s.median <= s.high75)) {
+    ns.fail("0 <= low25 <= median <= high75");
+  }
+  return s;
+}
+
+}  // namespace
+
+std::vector<MeasureRow> read_measure_rows(const Node& top) {
+  std::vector<MeasureRow> rows;
+  for (const Node& node : top.at("rows").list()) rows.push_back(row(node));
+  if (!top.has("measured")) return rows;
+  const Node measured = top.at("measured");
+  const auto names = [](const MeasureRow& r, const Node& node) {
+    return r.scene == node.at("scene").text() && r.variant == node.at("variant").text() &&
+           r.method == node.at("method").text();
+  };
+  for (const Node& time : measured.at("ns_per_query").list()) {
+    const TimeSpread ns = spread(time.at("ns"));
+    for (MeasureRow& r : rows) {
+      if (!names(r, time) || r.workload != time.at("workload").text()) continue;
+      (time.at("order").text() == "image" ? r.image : r.shuffled) = ns;
+    }
+  }
+  for (const Node& set_up : measured.at("set_ups").list()) {
+    const Node seconds = set_up.at("seconds");
+    if (seconds.number() < 0) seconds.fail("a time, 0 or more");
+    for (MeasureRow& r : rows) {
+      if (!names(r, set_up)) continue;
+      r.set_up_seconds = seconds.number();
+      r.bytes = set_up.at("bytes").count();
+    }
+  }
+  return rows;
+}
+
+}  // namespace gnomon::reports

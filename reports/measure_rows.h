@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What result files of `gnomon measure` say, as the report needs it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reports/summary.h"
+
+namespace gnomon::reports {
+
+class Node;
+
+/// Median and quartiles of rounds, in nanoseconds a query.
+struct TimeSpread {
+  double median = 0, low25 = 0, high75 = 0;
+};
+
+/// One method on one workload of one variant of a scene. Field names are those of the result file.
+struct MeasureRow {
+  std::string scene, variant, workload, method, tier, promise;
+  std::uint64_t faces = 0, queries = 0;
+  Share false_lit, false_shadowed;
+  std::uint64_t wrong_reason = 0, unsound = 0, unsound_touching = 0, undecided = 0, rejected = 0;
+  bool promise_broken = false;
+  std::optional<double> boxes, face_tests, exact;  ///< tests a query
+  std::optional<TimeSpread> image, shuffled;
+  std::optional<double> set_up_seconds;
+  std::uint64_t bytes = 0;
+};
+
+/// The rows of a result file of that kind with what was measured of them. Throws scene::InputError, with one
+/// line, for what is missing or can't be.
+[[nodiscard]] std::vector<MeasureRow> read_measure_rows(const Node& top);
+
+}  // namespace gnomon::reports
