@@ -77,6 +77,61 @@ TEST(ExactHierarchy, RandomScenesAreAnsweredAsFaceByFace) {
   EXPECT_GE(mix.hits, least);
 }
 
+/// Balls beside which a path passes within a rounding error, triangles that it passes through near an edge, a
+/// vertex, or with an end near the plane: what plain doubles can't decide.
+TEST(ExactHierarchy, PathsThatNearlyTouch) {
+  Random random(14);
+  Mix mix;
+  exact::HierarchyCounters counters;
+  const auto point = [&] { return Point3{random.unit(), random.unit(), random.unit()}; };
+  for (int trial = 0; trial < affordable(3000); ++trial) {
+    const Point3 p = point(), light = point();
+    SceneBuilder builder;
+    Point3 on = p;  // a point of the path, beyond an end now and then
+    const double t = random.chance(30) ? random.below(2) : random.unit();
+    Point3 d{}, beside = point();
+    for (std::size_t i = 0; i < 3; ++i) d[i] = light[i] - p[i];
+    for (std::size_t i = 0; i < 3; ++i) on[i] = p[i] + t * d[i];
+    if (random.chance(50)) {
+      const double along = (beside[0] * d[0] + beside[1] * d[1] + beside[2] * d[2]) /
+                           (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+      double length = 0;
+      for (std::size_t i = 0; i < 3; ++i) {
+        beside[i] -= along * d[i];
+        length += beside[i] * beside[i];
+      }
+      for (std::size_t i = 0; i < 3; ++i) beside[i] += on[i];
+      builder.add_ball({beside, std::sqrt(length)});
+    } else {
+      const Point3 a = point(), b = point();
+      Point3 c;
+      const double u = random.chance(30) ? 0 : random.unit();
+      // `on` lies near the side between b and c, at u of it, or near the corner c.
+      for (std::size_t i = 0; i < 3; ++i) c[i] = b[i] + (on[i] - b[i]) / (1 - u / 2);
+      builder.add_triangle(a, b, c);
+    }
+    const Scene scene = builder.finish();
+    const Hierarchy hierarchy(scene);
+    check_shadow(scene, hierarchy, {p, light, scene::kNoFace}, mix);
+    check_hit(scene, hierarchy, {p, d, scene::kNoFace}, mix);
+    if (HasFatalFailure()) return;
+    (void)hierarchy.shadow({p, light, scene::kNoFace}, counters);
+
+    SceneBuilder near_ties;  // triangles with the same centre but for rounding: which one is first?
+    for (int i = 0; i < 3; ++i) {
+      const Point3 a = point(), b = point();
+      near_ties.add_triangle(a, b,
+                             {3 * on[0] - a[0] - b[0], 3 * on[1] - a[1] - b[1], 3 * on[2] - a[2] - b[2]});
+    }
+    const Scene tied = near_ties.finish();
+    check_hit(tied, Hierarchy(tied), {p, d, scene::kNoFace}, mix);
+  }
+  const auto least = static_cast<std::size_t>(affordable(800));
+  EXPECT_GE(mix.lit, least);
+  EXPECT_GE(mix.shadowed, least);
+  EXPECT_GE(counters.exact_face_tests, least);
+}
+
 /// Numbers from the whole range of doubles in one scene: boxes overflow floats, paths overflow doubles.
 TEST(ExactHierarchy, AnyFiniteNumbers) {
   Random random(8);
@@ -110,6 +165,27 @@ TEST(ExactHierarchy, AnyFiniteNumbers) {
   EXPECT_GE(mix.lit, 10u);
   EXPECT_GE(mix.shadowed, 10u);
   EXPECT_GE(mix.hits, 10u);
+}
+
+TEST(ExactHierarchy, PathsFarLongerThanTheScene) {
+  SceneBuilder builder;
+  builder.add_triangle({0, -1, -1}, {0, 2, -1}, {0, -1, 2});
+  builder.add_ball({{1, 0, 0}, 0.5});
+  const Scene scene = builder.finish();
+  const Hierarchy hierarchy(scene);
+  for (const double far : {1e10, 1e40, 1e290, 1e305, 1.7e308}) {
+    for (const double sign : {-1.0, 1.0}) {
+      const ShadowQuery q{{-sign * far, 0, 0}, {sign * far, 0, 0}, scene::kNoFace};
+      EXPECT_EQ(hierarchy.shadow(q), (ShadowTruth{Shadow::shadowed, false})) << far;
+      EXPECT_EQ(hierarchy.first_hit({q.point, {sign, 0, 0}, scene::kNoFace}),
+                (FirstHit{{sign > 0 ? 0u : 1u}, false}));
+      // All but parallel to the triangle, which it meets after a time beyond all floats.
+      if (sign > 0) {
+        EXPECT_EQ(hierarchy.first_hit({{-1, 0, 0}, {1 / far, 0, 0}, 1}), (FirstHit{{0}, false})) << far;
+      }
+      EXPECT_EQ(hierarchy.shadow({{-1, sign * far, 0}, {1, sign * far, 0}, scene::kNoFace}), ShadowTruth());
+    }
+  }
 }
 
 /// A field of 20,000 triangles over the unit square, at a distance from 0 where doubles are coarse.
