@@ -4,6 +4,9 @@
 #include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <array>
+#include <vector>
+
 #include "reports/bench/shadow_truth.h"
 
 namespace gnomon::bench {
@@ -38,10 +41,6 @@ CgalTree::~CgalTree() = default;
 
 bool CgalTree::meets(const scene::ShadowQuery& query) const {
   return tree_->tree.do_intersect(Kernel::Segment_3(point_of(query.point), point_of(query.light)));
-}
-
-std::size_t CgalTree::triangles() const {
-  return tree_->tree.size();
 }
 
 }  // namespace gnomon::bench

@@ -4,8 +4,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <span>
-#include <vector>
 
 #include "scene/scene.h"
 #include "scene/shadow_query.h"
@@ -34,8 +32,6 @@ class CgalTree {
 
   /// True when the closed segment meets a triangle; own faces are met like any other.
   [[nodiscard]] bool meets(const scene::ShadowQuery& query) const;
-  /// What the tree says of its own size; 0 when it can't.
-  [[nodiscard]] std::size_t triangles() const;
 
  private:
   struct Tree;
