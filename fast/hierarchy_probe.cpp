@@ -41,6 +41,22 @@ void run_balls(const BallBlock& block, const Beam& beam, float end, BallProbe& p
   }
 }
 
+RayProbe taken_from(const LeafHits& hits) {
+  RayProbe probe{hits.bits.certain, hits.bits.possible, {}, {}};
+  for (std::size_t i = 0; i < kWidth; ++i) {
+    probe.lo[i] = hits.lo[i];
+    probe.hi[i] = hits.hi[i];
+  }
+  return probe;
+}
+
+RayProbe run_ray_triangles(const TriangleBlock& block, const Beam& beam) {
+  return taken_from(ray_triangles<true>(BeamVectors(beam), block, std::numeric_limits<float>::infinity()));
+}
+RayProbe run_ray_balls(const BallBlock& block, const Beam& beam) {
+  return taken_from(ray_balls<true>(BeamVectors(beam), block, std::numeric_limits<float>::infinity(), false));
+}
+
 std::uint32_t run_boxes(const WideNode& node, const Beam& beam, float end) {
   const Floats d;
   const BeamVectors vectors(beam);
@@ -65,6 +81,8 @@ namespace {
 HWY_EXPORT(run_triangles);
 HWY_EXPORT(run_balls);
 HWY_EXPORT(run_boxes);
+HWY_EXPORT(run_ray_triangles);
+HWY_EXPORT(run_ray_balls);
 
 }  // namespace
 
@@ -78,6 +96,13 @@ BallProbe probe_balls(const BallBlock& block, const Beam& beam, float end) {
   BallProbe probe;
   HWY_DYNAMIC_DISPATCH(run_balls)(block, beam, end, probe);
   return probe;
+}
+
+RayProbe probe_ray(const TriangleBlock& block, const Beam& beam) {
+  return HWY_DYNAMIC_DISPATCH(run_ray_triangles)(block, beam);
+}
+RayProbe probe_ray(const BallBlock& block, const Beam& beam) {
+  return HWY_DYNAMIC_DISPATCH(run_ray_balls)(block, beam);
 }
 
 std::uint32_t probe_boxes(const WideNode& node, const Beam& beam, float end) {

@@ -184,6 +184,58 @@ TEST(FastHierarchyBounds, BallBoundsAreNotManyTimesWhatOccurs) {
   EXPECT_GT(most, kSanitized ? 0.1 : 0.25);
 }
 
+TEST(FastHierarchyBounds, RaysMeetFacesBetweenTheirParameters) {
+  int certain = 0;
+  double nearest_end = 1;  // how near to an end, as a share of the interval
+  for (const HardKind kind : {HardKind::soup, HardKind::mesh, HardKind::far_mesh, HardKind::skinny}) {
+    const scene::Scene scene = hard_scene(kind, 55, 24, 8);
+    const fast::HierarchyArrays arrays = fast::build_hierarchy(scene);
+    for (const auto& query : hard_queries(kind, scene, 55, affordable(200))) {
+      const scene::RayQuery ray = ray_of(query);
+      fast::Beam beam;
+      for (std::size_t k = 0; k < 3; ++k) {
+        beam.origin[k] = static_cast<float>(ray.origin[k]);
+        beam.direction[k] = static_cast<float>(ray.direction[k]);
+      }
+      beam.prepare<true>();
+      const RationalPoint p = rational(ray.origin), d = rational(ray.direction);
+      for (const fast::TriangleBlock& block : arrays.triangles) {
+        const fast::RayProbe probe = fast::probe_ray(block, beam);
+        for (std::size_t lane = 0; lane < fast::kWidth; ++lane) {
+          if ((probe.certain >> lane & 1) == 0) continue;
+          const auto t = on_triangle(scene, block.face[lane], p, d, false);
+          ASSERT_TRUE(t.has_value() && *t->from == *t->to) << name_of(kind);
+          const Rational lo(probe.lo[lane]), hi(probe.hi[lane]);
+          ASSERT_TRUE(lo <= *t->from && *t->from <= hi) << name_of(kind);
+          ++certain;
+          const Rational room = std::min(Rational(*t->from - lo), Rational(hi - *t->from));
+          nearest_end = std::min(nearest_end, Rational(room / (hi - lo)).get_d());
+        }
+      }
+      for (const fast::BallBlock& block : arrays.balls) {
+        const fast::RayProbe probe = fast::probe_ray(block, beam);
+        for (std::size_t lane = 0; lane < fast::kWidth; ++lane) {
+          if ((probe.certain >> lane & 1) == 0) continue;
+          // The first point in the ball: none before lo, one at hi.
+          const scene::Ball<double>& ball = scene.balls[block.face[lane] - scene.triangles.size()];
+          const RationalPoint m = rational(ball.centre) - p;
+          const auto inside = [&](const Rational& t) {
+            const RationalPoint q{Rational(m[0] - t * d[0]), Rational(m[1] - t * d[1]),
+                                  Rational(m[2] - t * d[2])};
+            return dot(q, q) <= Rational(ball.radius) * Rational(ball.radius);
+          };
+          const Rational lo(probe.lo[lane]), hi(probe.hi[lane]);
+          ASSERT_TRUE(lo == 0 || !inside(lo)) << name_of(kind);
+          ASSERT_TRUE(inside(hi)) << name_of(kind);
+        }
+      }
+    }
+  }
+  std::printf("%d parameters, at least %.3f of their interval from its ends\n", certain, nearest_end);
+  EXPECT_GT(certain, 100);
+  EXPECT_LT(nearest_end, 0.45);
+}
+
 TEST(FastHierarchyBounds, DepthsInBallsStayWithinThem) {
   Share segments, rays;
   for (const HardKind kind : kHardKinds) {
