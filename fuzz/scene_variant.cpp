@@ -11,9 +11,9 @@ namespace {
 constexpr SceneVariant kVariants[] = {
     {"given", "as the scene is", 1, 0},
     {"moved", "1e5 added to every coordinate: the bits that are left are fewer", 1, 1e5},
-    {"scaled-up", "times 2^30: products of three coordinates stay below 2^128 up to a size of 4000", 0x1p30,
-     0},
-    {"scaled-down", "times 2^-40: products of three coordinates are denormal or zero floats", 0x1p-40, 0},
+    {"scaled-up",
+     "times 2^30: in floats, balls' products of four lengths overflow, triangles' of three don't", 0x1p30, 0},
+    {"scaled-down", "times 2^-40: products of three or four lengths are denormal floats or zero", 0x1p-40, 0},
 };
 
 }  // namespace

@@ -33,19 +33,22 @@ std::span<const WorkloadKind> workload_kinds() {
   return kKinds;
 }
 
-Workload record_workload(std::string_view name, const scene::Scene& scene, const Oracle& oracle,
-                         const WorkloadOptions& options) {
+const WorkloadKind& workload_kind(std::string_view name) {
   std::string known;
-  for (std::size_t i = 0; i < std::size(kKinds); ++i) {
-    if (kKinds[i].name == name) {
-      Workload workload{std::string(name), kRecorders[i](scene, oracle, options)};
-      thin(workload.queries, options.queries);
-      return workload;
-    }
-    known += (known.empty() ? "" : ", ") + std::string(kKinds[i].name);
+  for (const WorkloadKind& kind : kKinds) {
+    if (kind.name == name) return kind;
+    known += (known.empty() ? "" : ", ") + std::string(kind.name);
   }
   throw std::runtime_error("--workload: expected a workload (" + known + "), found \"" +
                            scene::printable(name) + "\"");
+}
+
+Workload record_workload(std::string_view name, const scene::Scene& scene, const Oracle& oracle,
+                         const WorkloadOptions& options) {
+  const auto recorder = kRecorders[&workload_kind(name) - kKinds];
+  Workload workload{std::string(name), recorder(scene, oracle, options)};
+  thin(workload.queries, options.queries);
+  return workload;
 }
 
 void thin(std::vector<scene::ShadowQuery>& queries, std::size_t count) {

@@ -25,6 +25,9 @@ struct WorkloadKind {
 /// All kinds, in the order of reports.
 [[nodiscard]] std::span<const WorkloadKind> workload_kinds();
 
+/// The kind of that name. Throws std::runtime_error, naming the known ones.
+[[nodiscard]] const WorkloadKind& workload_kind(std::string_view name);
+
 /// Exact answers about the scene that a workload is recorded from.
 struct Oracle {
   /// A face that the ray meets first, the lowest of tied ones, or kNoFace.

@@ -50,7 +50,9 @@ std::string page(std::span<const ResultFile> files, const std::string& scenes) {
 }  // namespace
 
 void write_html_report(const std::filesystem::path& dir, const std::filesystem::path& out) {
-  scene::write_whole_file(out, page(read_result_folder(dir), measure_section(dir)));
+  const std::vector<ResultFile> files =
+      read_result_folder(dir);  // first: it says what is wrong with the folder
+  scene::write_whole_file(out, page(files, measure_section(dir)));
 }
 
 }  // namespace gnomon::reports

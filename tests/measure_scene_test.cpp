@@ -73,8 +73,18 @@ TEST(MeasureScene, CountsErrorsByDirection) {
 TEST(MeasureScene, CountsTouchingApart) {
   const Measurement measured = measure(parrot<0>(Promise::none), {"hard"});
   const ShadowRow& row = measured.rows.at(0);
-  EXPECT_GT(ShadowRow::unsound(row.touching), 0u);
-  EXPECT_LT(ShadowRow::unsound(row.touching), ShadowRow::unsound(row.matrix));
+  const scene::Scene scene = tests::single_scene(tests::kBallsNff);
+  std::array<std::uint64_t, 3> touching{};
+  for (const scene::ShadowQuery& query :
+       record_workload("hard", scene, tests::slow_oracle(scene), {500, 1}).queries) {
+    const exact::ShadowTruth truth = exact::shadow_by_all_faces(scene, query);
+    touching[static_cast<std::size_t>(truth.answer)] += truth.touching ? 1 : 0;
+  }
+  EXPECT_GT(touching[1], 10u);
+  for (std::size_t truth = 0; truth < 3; ++truth) {
+    EXPECT_EQ(ShadowRow::truths(row.touching, truth), touching[truth]) << truth;
+  }
+  EXPECT_EQ(ShadowRow::unsound(row.touching), touching[1] + touching[2]);
 }
 
 TEST(MeasureScene, SaysWhatItLeavesOut) {

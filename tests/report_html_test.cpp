@@ -140,7 +140,7 @@ TEST_F(ReportHtml, IsWellFormedWithAndWithoutFindings) {
   };
   EXPECT_EQ(fault(page()), "");
   put("a.json",
-      R"({"schema":1,"kind":"measure","command":"gnomon measure","rows":[{"scene":"hall","queries":3,"x":[1]}]})");
+      R"({"schema":1,"kind":"walk","command":"gnomon walk","rows":[{"scene":"hall","queries":3,"x":[1]}]})");
   const std::string other = page();
   EXPECT_EQ(fault(other), "");
   expect_holds(other, "hall");
