@@ -7,12 +7,14 @@
 
 namespace gnomon::fuzz {
 
-void complete(scene::Scene& scene, const std::vector<std::array<double, 3>>& lights) {
-  if (!lights.empty()) {
-    scene.point_lights.clear();
-    scene.polygon_lights.clear();
-    for (const Vector3& light : lights) scene.point_lights.push_back({as_floats(light)});
-  }
+void replace_lights(scene::Scene& scene, const std::vector<std::array<double, 3>>& lights) {
+  if (lights.empty()) return;
+  scene.point_lights.clear();
+  scene.polygon_lights.clear();
+  for (const Vector3& light : lights) scene.point_lights.push_back({light});
+}
+
+void complete(scene::Scene& scene) {
   const bool dark = scene.point_lights.empty() && scene.polygon_lights.empty();
   if (!dark && scene.view) return;
   const scene::Box<double> extent = scene::extent_of(scene);

@@ -192,15 +192,15 @@ class SceneMeasurer {
 
 void measure_scene(const std::string& name, const scene::Scene& given, const SceneVariant& variant,
                    const MeasureOptions& options, Measurement& measurement, const OnMeasured& on_progress) {
+  scene::Scene changed = given;
+  replace_lights(changed, options.lights);
   scene::SingleScene single;
   try {
-    single = scene::rounded_to_floats(transformed(given, variant));
+    single = scene::rounded_to_floats(transformed(changed, variant));
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(name + " (" + std::string(variant.name) + "): " + error.what());
   }
-  std::vector<std::array<double, 3>> lights;
-  for (const std::array<double, 3>& light : options.lights) lights.push_back(transformed(light, variant));
-  complete(single.scene, lights);
+  complete(single.scene);
   if (single.moved > 0) {
     measurement.notes.push_back(
         name + " (" + std::string(variant.name) + "): rounded to floats: " + std::to_string(single.moved) +

@@ -27,11 +27,11 @@ struct MeasureOptions {
 /// Called now and then with the share of a scene that is done and what is being done.
 using OnMeasured = std::function<void(double done, const std::string& where)>;
 
-/// Measures one variant of a scene, and adds what comes of it. The scene is moved and scaled first, then
-/// rounded to floats, then given lights and view where it has none. Each workload is recorded once, by exact
-/// answers; every method then answers it untimed, is judged, and is timed: in each round all methods in turn,
-/// forwards and backwards, each with the queries in the order of the image and in a shuffled one.
-/// Throws std::runtime_error for scenes beyond the range of floats.
+/// Measures one variant of a scene, and adds what comes of it. The scene gets the lights of the
+/// options, is moved and scaled, rounded to floats, then given lights and view where it has none. Each
+/// workload is recorded once, by exact answers; every method then answers it untimed, is judged, and is
+/// timed: in each round all methods in turn, forwards and backwards, each with the queries in the order of
+/// the image and in a shuffled one. Throws std::runtime_error for scenes beyond the range of floats.
 void measure_scene(const std::string& name, const scene::Scene& given, const SceneVariant& variant,
                    const MeasureOptions& options, Measurement& measurement, const OnMeasured& on_progress);
 

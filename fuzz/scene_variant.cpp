@@ -32,14 +32,11 @@ const SceneVariant& scene_variant(std::string_view name) {
                            scene::printable(name) + "\"");
 }
 
-std::array<double, 3> transformed(const std::array<double, 3>& point, const SceneVariant& variant) {
-  return {point[0] * variant.scale + variant.offset, point[1] * variant.scale + variant.offset,
-          point[2] * variant.scale + variant.offset};
-}
-
 scene::Scene transformed(const scene::Scene& scene, const SceneVariant& variant) {
   scene::Scene result = scene;
-  const auto move = [&](std::array<double, 3>& point) { point = transformed(point, variant); };
+  const auto move = [&](std::array<double, 3>& point) {
+    for (double& c : point) c = c * variant.scale + variant.offset;
+  };
   for (std::array<double, 3>& point : result.points) move(point);
   for (scene::Ball<double>& ball : result.balls) {
     move(ball.centre);

@@ -2,7 +2,6 @@
 // Scenes moved and scaled: the same picture, other bits.
 #pragma once
 
-#include <array>
 #include <span>
 #include <string_view>
 
@@ -22,8 +21,6 @@ struct SceneVariant {
 /// The variant of that name. Throws std::runtime_error, naming the known ones.
 [[nodiscard]] const SceneVariant& scene_variant(std::string_view name);
 
-[[nodiscard]] std::array<double, 3> transformed(const std::array<double, 3>& point,
-                                                const SceneVariant& variant);
 /// The scene with points, balls, lights and view moved and scaled in doubles; not rounded to floats yet.
 [[nodiscard]] scene::Scene transformed(const scene::Scene& scene, const SceneVariant& variant);
 

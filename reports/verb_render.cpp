@@ -69,12 +69,19 @@ int run_render(const RenderArguments& arguments) {
     throw std::runtime_error(
         "the floating-point environment is not IEEE round-to-nearest with denormals: no result would hold");
   }
-  scene::SingleScene single = scene::rounded_to_floats(load_scene(arguments.scene).scene);
+  NamedScene named = load_scene(arguments.scene);
+  fuzz::replace_lights(named.scene, lights);
+  scene::SingleScene single;
+  try {
+    single = scene::rounded_to_floats(named.scene);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(arguments.scene + ": " + error.what());
+  }
   if (!method.has_balls && !single.scene.balls.empty()) {
     throw std::runtime_error(arguments.scene + ": expected a scene without balls for " + arguments.method +
                              ", found " + std::to_string(single.scene.balls.size()));
   }
-  fuzz::complete(single.scene, lights);
+  fuzz::complete(single.scene);
   // By default the view's own size, up to about a million pixels.
   if (arguments.size.empty()) size = fuzz::picture_size(*single.scene.view, std::size_t{1} << 20);
   if (single.moved > 0) {

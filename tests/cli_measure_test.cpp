@@ -144,6 +144,7 @@ TEST(CommandLineMeasure, RefusesBadInputInOneLineAndWritesNothing) {
       {{"s.nff", "--light", "1,2,3,4"}, "--light: expected X,Y,Z"},
       {{"s.nff", "--light", "1,2,nan"}, "--light: expected X,Y,Z"},
       {{"s.nff", "--light", "1,2,1e39"}, "--light: expected X,Y,Z"},
+      {{"s.nff", "--variant", "scaled-up", "--light", "1,2,1e38"}, "expected a light within the range of"},
       {{"s.nff", "--light", "1, 2,3"}, "--light: expected X,Y,Z"},
       {{"s.nff", "--light", ""}, "--light: expected a value"},
       {{"s.nff", "--queries", "0"}, "--queries: expected a whole number"},

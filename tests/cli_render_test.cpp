@@ -124,6 +124,7 @@ TEST(ShadowPictures, ColourWrongPixelsByDirection) {
 
 TEST(CommandLineRender, RefusesBadInputInOneLineAndWritesNothing) {
   const Folder folder;
+  folder.write("far.nff", "s 0 0 3e38 1e38\n");
   folder.write("s.nff", kBallsNff);
   const std::set<std::string> before = folder.entries();
   const std::string good = "bvh-naive-f32";
@@ -134,6 +135,7 @@ TEST(CommandLineRender, RefusesBadInputInOneLineAndWritesNothing) {
       {{"s.nff", "--method", good, "-o", "s.nff/p.png"}, "can't be written"},
       {{"s.nff", "--method", "all", "-o", "p.png"}, "--method: expected a method"},
       {{"s.nff", "--method", "cgal-epick", "-o", "p.png"}, "s.nff: expected a scene without balls"},
+      {{"far.nff", "--method", good, "-o", "p.png"}, "far.nff: expected a ball within the range of floats"},
       {{"none.nff", "--method", good, "-o", "p.png"}, "none.nff: expected"},
       {{"s.nff", "--method", good, "-o", "p.png", "--size", "0x5"}, "--size: expected WxH"},
       {{"s.nff", "--method", good, "-o", "p.png", "--size", "5"}, "--size: expected WxH"},

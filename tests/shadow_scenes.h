@@ -29,7 +29,7 @@ inline const std::string kTrianglesNff = kBallsNff.substr(0, kBallsNff.find("s 0
 /// The scene that the text holds, rounded to floats, with lights and a view.
 inline scene::Scene single_scene(const std::string& nff) {
   scene::Scene scene = scene::rounded_to_floats(scene::read_nff_text(nff).scene).scene;
-  fuzz::complete(scene, {});
+  fuzz::complete(scene);
   return scene;
 }
 
