@@ -43,6 +43,13 @@ class BruteCaster : public SceneCaster {
     return counts;
   }
 
+  [[nodiscard]] std::optional<TestCounts> count_hit_tests(
+      std::span<const scene::RayQuery> rays) const override {
+    TestCounts counts;
+    for (const scene::RayQuery& ray : rays) first_hit(ray, &counts.faces);
+    return counts;
+  }
+
  private:
   [[nodiscard]] std::size_t face_count() const { return faces_.triangles.size() + faces_.balls.size(); }
 
@@ -92,13 +99,14 @@ class BruteCaster : public SceneCaster {
     return scene::Shadow::lit;
   }
 
-  [[nodiscard]] std::uint32_t first_hit(const scene::RayQuery& query) const {
+  std::uint32_t first_hit(const scene::RayQuery& query, std::uint64_t* tests = nullptr) const {
     const Ray ray{to_floats(query.origin), to_floats(query.direction)};
     const bool into_own = faces_.own_ball_blocks(query.own, ray.origin, ray.direction);
     float nearest = kInfinity;
     std::uint32_t found = scene::kNoFace;
     for (std::size_t face = 0; face < face_count(); ++face) {
       if (face == query.own && !into_own) continue;
+      if (tests != nullptr) ++*tests;
       const Span span = meet(face, ray);
       // A ball that the ray starts in is met at once; the own one where the ray leaves it.
       const float t = face == query.own ? span.leave : std::max(span.enter, 0.0F);

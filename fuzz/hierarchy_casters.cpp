@@ -42,6 +42,18 @@ class FastCaster : public SceneCaster {
     return TestCounts{counters.boxes, counters.faces, counters.exact};
   }
 
+  [[nodiscard]] std::optional<TestCounts> count_hit_tests(
+      std::span<const scene::RayQuery> rays) const override {
+    fast::TestCounters counters;
+    std::vector<std::uint32_t> faces(rays.size());
+    if (tier_ == Tier::exact) {
+      hierarchy_.first_hits_exact(exact_, rays, faces, counters);
+    } else {
+      hierarchy_.first_hits(fast_tier(), rays, faces, counters);
+    }
+    return TestCounts{counters.boxes, counters.faces, counters.exact};
+  }
+
  private:
   [[nodiscard]] fast::Hierarchy::Tier fast_tier() const {
     return tier_ == Tier::naive ? fast::Hierarchy::Tier::naive : fast::Hierarchy::Tier::certified;
@@ -89,6 +101,13 @@ class Reference : public SceneCaster {
       std::span<const scene::ShadowQuery> queries) const override {
     exact::HierarchyCounters counters;
     for (const scene::ShadowQuery& query : queries) static_cast<void>(hierarchy_.shadow(query, counters));
+    return TestCounts{counters.box_tests, counters.face_tests, counters.exact_face_tests};
+  }
+
+  [[nodiscard]] std::optional<TestCounts> count_hit_tests(
+      std::span<const scene::RayQuery> rays) const override {
+    exact::HierarchyCounters counters;
+    for (const scene::RayQuery& ray : rays) static_cast<void>(hierarchy_.first_hit(ray, counters));
     return TestCounts{counters.box_tests, counters.face_tests, counters.exact_face_tests};
   }
 

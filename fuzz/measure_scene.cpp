@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuzz/measure_scene.h"
 
+#include <algorithm>
 #include <chrono>
 #include <ctime>
 #include <memory>
@@ -15,6 +16,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 using Queries = std::vector<scene::ShadowQuery>;
+using Rays = std::vector<scene::RayQuery>;
+
+/// Stands where a method has not answered: the number of no face.
+constexpr std::uint32_t kUnanswered = 0xffff'fffd;
 
 /// The processor time of this thread: what other programs take does not count.
 double now_ns() {
@@ -27,12 +32,19 @@ double now_ns() {
 struct Contender {
   const SceneMethod* method;
   std::unique_ptr<SceneCaster> caster;
-  std::vector<Answer> answers;
+  std::vector<Answer> answers;                // to Queries
+  std::vector<std::uint32_t> faces;           // to Rays
   std::vector<double> image_ns, shuffled_ns;  // a query, of each round
 
-  double ask(const Queries& queries) {
+  void answer(const Queries& queries) { caster->shadows(queries, answers); }
+  void answer(const Rays& rays) { caster->first_hits(rays, faces); }
+  [[nodiscard]] const std::vector<Answer>& answers_to(const Queries& /*queries*/) const { return answers; }
+  [[nodiscard]] const std::vector<std::uint32_t>& answers_to(const Rays& /*rays*/) const { return faces; }
+
+  template <class List>
+  double ask(const List& queries) {
     const double start = now_ns();
-    caster->shadows(queries, answers);
+    answer(queries);
     return (now_ns() - start) / static_cast<double>(queries.size());
   }
 };
@@ -82,7 +94,7 @@ class SceneMeasurer {
              " faces for every query; --method asks it all the same");
         continue;
       }
-      contenders_.push_back({method, nullptr, {}, {}, {}});
+      contenders_.push_back({method, nullptr, {}, {}, {}, {}});
       const double seconds = set_up(contenders_.back());
       measurement_.set_ups.push_back(
           {name_, std::string(variant_.name), method, seconds, contenders_.back().caster->bytes()});
@@ -106,61 +118,114 @@ class SceneMeasurer {
 
   void run_workload(const std::string& kind) {
     progress(kind, 0);
+    const auto rays = ray_workload_kinds();
+    if (std::any_of(rays.begin(), rays.end(),
+                    [&](const WorkloadKind& known) { return known.name == kind; })) {
+      return run_rays(kind);
+    }
     const Oracle oracle{[this](const scene::RayQuery& ray) {
                           const std::vector<std::uint32_t> faces = truth_.first_hit(ray).faces;
                           return faces.empty() ? scene::kNoFace : faces.front();
                         },
                         [this](const scene::ShadowQuery& query) { return truth_.shadow(query).answer; }};
-    const Workload workload = record_workload(kind, scene_, oracle, options_.workload);
-    if (workload.queries.empty()) {
+    const Queries queries = record_workload(kind, scene_, oracle, options_.workload).queries;
+    std::vector<exact::ShadowTruth> truths;
+    truths.reserve(queries.size());
+    for (const scene::ShadowQuery& query : queries) truths.push_back(truth_.shadow(query));
+    run_queries(
+        kind, queries, [&](Contender& contender) { return judge(contender, kind, queries, truths); },
+        measurement_.rows, measurement_.times);
+  }
+
+  void run_rays(const std::string& kind) {
+    const Rays rays = record_rays(kind, scene_, options_.workload);
+    std::vector<exact::FirstHit> truths;
+    truths.reserve(rays.size());
+    for (const scene::RayQuery& ray : rays) truths.push_back(truth_.first_hit(ray));
+    run_queries(
+        kind, rays, [&](Contender& contender) { return judge(contender, kind, rays, truths); },
+        measurement_.hit_rows, measurement_.hit_times);
+  }
+
+  /// Has every contender judged, asked in another order, and timed; adds a row and its times for each.
+  template <class List, class Judge, class Row>
+  void run_queries(const std::string& kind, const List& queries, Judge judge_one, std::vector<Row>& rows,
+                   std::vector<QueryTimes>& times) {
+    if (queries.empty()) {
       note(kind + " left out: the scene asks no such query");
       return;
     }
-    std::vector<exact::ShadowTruth> truths;
-    truths.reserve(workload.queries.size());
-    for (const scene::ShadowQuery& query : workload.queries) truths.push_back(truth_.shadow(query));
-
-    Queries shuffled;
-    const std::vector<std::uint32_t> order = shuffled_order(workload.queries.size());
-    for (const std::uint32_t i : order) shuffled.push_back(workload.queries[i]);
-    std::vector<ShadowRow> rows;
+    List shuffled;
+    const std::vector<std::uint32_t> order = shuffled_order(queries.size());
+    for (const std::uint32_t i : order) shuffled.push_back(queries[i]);
     for (Contender& contender : contenders_) {
       progress(kind, 0);
-      rows.push_back(judge(contender, workload, truths));
-      const std::vector<Answer> in_order = contender.answers;
+      rows.push_back(judge_one(contender));
+      const auto in_order = contender.answers_to(queries);
       contender.ask(shuffled);
+      const auto& answers = contender.answers_to(queries);
       for (std::size_t i = 0; i < order.size(); ++i) {
-        rows.back().changed_by_order += contender.answers[i] != in_order[order[i]] ? 1U : 0U;
+        rows.back().changed_by_order += answers[i] != in_order[order[i]] ? 1U : 0U;
       }
     }
-    time_rounds(kind, workload.queries, shuffled);
-    for (std::size_t i = 0; i < contenders_.size(); ++i) {
-      measurement_.rows.push_back(std::move(rows[i]));
-      measurement_.times.push_back(
-          {spread_of(contenders_[i].image_ns), spread_of(contenders_[i].shuffled_ns)});
+    time_rounds(kind, queries, shuffled);
+    for (const Contender& contender : contenders_) {
+      times.push_back({spread_of(contender.image_ns), spread_of(contender.shuffled_ns)});
     }
   }
 
-  ShadowRow judge(Contender& contender, const Workload& workload,
-                  const std::vector<exact::ShadowTruth>& truths) {
-    ShadowRow row;
+  template <class Row>
+  Row new_row(const Contender& contender, const std::string& kind) const {
+    Row row;
     row.scene = name_;
     row.variant = variant_.name;
-    row.workload = workload.name;
+    row.workload = kind;
     row.faces = scene_.face_count();
     row.method = contender.method;
-    contender.answers.assign(workload.queries.size(), kRejected);
-    contender.ask(workload.queries);
+    return row;
+  }
+
+  ShadowRow judge(Contender& contender, const std::string& kind, const Queries& queries,
+                  const std::vector<exact::ShadowTruth>& truths) const {
+    auto row = new_row<ShadowRow>(contender, kind);
+    contender.answers.assign(queries.size(), kRejected);
+    contender.ask(queries);
     for (std::size_t i = 0; i < truths.size(); ++i) {
       const auto truth = static_cast<std::size_t>(truths[i].answer);
       ++row.matrix[truth][contender.answers[i]];
       if (truths[i].touching) ++row.touching[truth][contender.answers[i]];
     }
-    row.tests = contender.caster->count_tests(workload.queries);
+    row.tests = contender.caster->count_tests(queries);
     return row;
   }
 
-  void time_rounds(const std::string& kind, const Queries& image, const Queries& shuffled) {
+  /// What an answer comes to: every one of the tied faces is right.
+  FirstHitRow::Column column_of(std::uint32_t answer, const exact::FirstHit& truth) const {
+    if (answer == kUndecidedFace) return FirstHitRow::undecided;
+    if (answer == scene::kNoFace) return FirstHitRow::none;
+    if (answer >= scene_.face_count()) return FirstHitRow::rejected;
+    return std::binary_search(truth.faces.begin(), truth.faces.end(), answer) ? FirstHitRow::right
+                                                                              : FirstHitRow::wrong;
+  }
+
+  FirstHitRow judge(Contender& contender, const std::string& kind, const Rays& rays,
+                    const std::vector<exact::FirstHit>& truths) const {
+    auto row = new_row<FirstHitRow>(contender, kind);
+    contender.faces.assign(rays.size(), kUnanswered);
+    contender.ask(rays);
+    for (std::size_t i = 0; i < truths.size(); ++i) {
+      const std::size_t truth = truths[i].faces.empty() ? 0 : 1;
+      const FirstHitRow::Column answer = column_of(contender.faces[i], truths[i]);
+      ++row.matrix[truth][answer];
+      if (truths[i].touching) ++row.touching[truth][answer];
+      row.ties += truths[i].faces.size() > 1 ? 1U : 0U;
+    }
+    row.tests = contender.caster->count_hit_tests(rays);
+    return row;
+  }
+
+  template <class List>
+  void time_rounds(const std::string& kind, const List& image, const List& shuffled) {
     for (Contender& contender : contenders_) {
       contender.image_ns.clear();
       contender.shuffled_ns.clear();

@@ -35,7 +35,9 @@ Spread spread_of(std::vector<double> values) {
 }
 
 bool Measurement::promise_broken() const {
-  return std::any_of(rows.begin(), rows.end(), [](const ShadowRow& row) { return row.promise_broken(); });
+  const auto broken = [](const auto& row) { return row.promise_broken(); };
+  return std::any_of(rows.begin(), rows.end(), broken) ||
+         std::any_of(hit_rows.begin(), hit_rows.end(), broken);
 }
 
 }  // namespace gnomon::fuzz

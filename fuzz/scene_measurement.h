@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fuzz/first_hit_row.h"
 #include "fuzz/scene_method.h"
 #include "fuzz/verdict.h"
 
@@ -58,7 +59,7 @@ struct Spread {
 [[nodiscard]] Spread spread_of(std::vector<double> values);
 
 /// Nanoseconds of processor time a query, of the row with the same index.
-struct ShadowTimes {
+struct QueryTimes {
   Spread image, shuffled;
 };
 
@@ -72,7 +73,9 @@ struct SetUp {
 
 struct Measurement {
   std::vector<ShadowRow> rows;
-  std::vector<ShadowTimes> times;  ///< one a row
+  std::vector<QueryTimes> times;  ///< one a row
+  std::vector<FirstHitRow> hit_rows;
+  std::vector<QueryTimes> hit_times;  ///< one a row of hit_rows
   std::vector<SetUp> set_ups;
   std::vector<std::string> notes;  ///< what was left out, and why; rounding of scenes
 

@@ -50,6 +50,11 @@ class SceneCaster {
       std::span<const scene::ShadowQuery> /*queries*/) const {
     return std::nullopt;
   }
+  /// The tests that first_hits() makes for these rays; nothing when they can't be counted.
+  [[nodiscard]] virtual std::optional<TestCounts> count_hit_tests(
+      std::span<const scene::RayQuery> /*rays*/) const {
+    return std::nullopt;
+  }
 };
 
 /// A method for questions about scenes.

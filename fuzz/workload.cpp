@@ -2,6 +2,7 @@
 #include "fuzz/workload.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -27,28 +28,59 @@ constexpr WorkloadKind kKinds[] = {
 constexpr Queries (*kRecorders[])(const scene::Scene&, const Oracle&, const WorkloadOptions&) = {
     record_primary, record_surface, record_light_rays, record_emitter, record_hard};
 
+constexpr WorkloadKind kRayKinds[] = {
+    {"primary-rays", "the rays of the view's pixels"},
+    {"hard-rays", "rays at edges, vertices and silhouettes, grazing, axis-parallel, off surfaces"},
+};
+constexpr Rays (*kRayRecorders[])(const scene::Scene&, const WorkloadOptions&) = {record_primary_rays,
+                                                                                  record_hard_rays};
+
+const WorkloadKind* find_kind(std::span<const WorkloadKind> kinds, std::string_view name) {
+  const auto found = std::find_if(kinds.begin(), kinds.end(),
+                                  [name](const WorkloadKind& kind) { return kind.name == name; });
+  return found == kinds.end() ? nullptr : &*found;
+}
+
+[[noreturn]] void fail_unknown(std::span<const std::span<const WorkloadKind>> lists, std::string_view name) {
+  std::string known;
+  for (const auto& kinds : lists) {
+    for (const WorkloadKind& kind : kinds) known += (known.empty() ? "" : ", ") + std::string(kind.name);
+  }
+  throw std::runtime_error("--workload: expected a workload (" + known + "), found \"" +
+                           scene::printable(name) + "\"");
+}
+
 }  // namespace
 
 std::span<const WorkloadKind> workload_kinds() {
   return kKinds;
 }
 
+std::span<const WorkloadKind> ray_workload_kinds() {
+  return kRayKinds;
+}
+
 const WorkloadKind& workload_kind(std::string_view name) {
-  std::string known;
-  for (const WorkloadKind& kind : kKinds) {
-    if (kind.name == name) return kind;
-    known += (known.empty() ? "" : ", ") + std::string(kind.name);
+  for (const auto& kinds : {workload_kinds(), ray_workload_kinds()}) {
+    if (const WorkloadKind* const kind = find_kind(kinds, name)) return *kind;
   }
-  throw std::runtime_error("--workload: expected a workload (" + known + "), found \"" +
-                           scene::printable(name) + "\"");
+  fail_unknown(std::array{workload_kinds(), ray_workload_kinds()}, name);
 }
 
 Workload record_workload(std::string_view name, const scene::Scene& scene, const Oracle& oracle,
                          const WorkloadOptions& options) {
-  const auto recorder = kRecorders[&workload_kind(name) - kKinds];
+  const WorkloadKind* const kind = find_kind(kKinds, name);
+  if (kind == nullptr) fail_unknown(std::array{workload_kinds()}, name);
+  const auto recorder = kRecorders[kind - kKinds];
   Workload workload{std::string(name), recorder(scene, oracle, options)};
   thin(workload.queries, options.queries);
   return workload;
+}
+
+Rays record_rays(std::string_view name, const scene::Scene& scene, const WorkloadOptions& options) {
+  const WorkloadKind* const kind = find_kind(kRayKinds, name);
+  if (kind == nullptr) fail_unknown(std::array{ray_workload_kinds()}, name);
+  return kRayRecorders[kind - kRayKinds](scene, options);
 }
 
 void thin(std::vector<scene::ShadowQuery>& queries, std::size_t count) {
@@ -106,6 +138,18 @@ Queries record_primary(const scene::Scene& scene, const Oracle& oracle, const Wo
     }
   }
   return queries;
+}
+
+Rays record_primary_rays(const scene::Scene& scene, const WorkloadOptions& options) {
+  Rays rays;
+  if (scene.face_count() == 0) return rays;
+  const auto [columns, rows] = picture_size(*scene.view, options.queries);
+  const Camera camera(*scene.view, columns, rows);
+  rays.reserve(columns * rows);
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t column = 0; column < columns; ++column) rays.push_back(camera.ray(column, row));
+  }
+  return rays;
 }
 
 Queries record_light_rays(const scene::Scene& scene, const Oracle& oracle, const WorkloadOptions& options) {

@@ -22,10 +22,13 @@ struct WorkloadKind {
   std::string_view description;
 };
 
-/// All kinds, in the order of reports.
+/// The kinds that ask `shadow`, in the order of reports.
 [[nodiscard]] std::span<const WorkloadKind> workload_kinds();
 
-/// The kind of that name. Throws std::runtime_error, naming the known ones.
+/// Those that ask `first-hit`.
+[[nodiscard]] std::span<const WorkloadKind> ray_workload_kinds();
+
+/// The kind of that name, of either question. Throws std::runtime_error, naming the known ones.
 [[nodiscard]] const WorkloadKind& workload_kind(std::string_view name);
 
 /// Exact answers about the scene that a workload is recorded from.
@@ -49,7 +52,7 @@ struct Workload {
 /// Records a workload from a scene of floats that has lights and a view (complete()); the same scene, options
 /// and answers give the same queries everywhere. Nothing where the scene asks no such query: `emitter`
 /// without polygon lights, surfaces of a scene without area. Throws std::runtime_error, naming the known
-/// ones, for a name that is none.
+/// ones, for a name that is none of `shadow`.
 ///
 /// primary: the pixels of the view, each one's first hit to every light (polygon lights by
 ///   kPointsPerPolygonLight points); the picture is made smaller than the view's where it would ask more
@@ -61,6 +64,16 @@ struct Workload {
 /// hard: see workload_hard.cpp.
 [[nodiscard]] Workload record_workload(std::string_view name, const scene::Scene& scene, const Oracle& oracle,
                                        const WorkloadOptions& options);
+
+/// Records the rays of a workload of `first-hit`, of the same kind of scene; every number is a float.
+/// Nothing where the scene has no surface to aim at. Throws std::runtime_error, naming the known ones, for a
+/// name that is none.
+///
+/// primary-rays: those of the view's pixels, row by row; the picture is made smaller than the view's where
+///   it has more pixels than may be asked.
+/// hard-rays: see workload_hard_rays.cpp.
+[[nodiscard]] std::vector<scene::RayQuery> record_rays(std::string_view name, const scene::Scene& scene,
+                                                       const WorkloadOptions& options);
 
 /// `count` of the queries (all when they are fewer), evenly chosen, in their order.
 void thin(std::vector<scene::ShadowQuery>& queries, std::size_t count);

@@ -19,9 +19,6 @@
 #include "scene/scene_facts.h"
 
 namespace gnomon::fuzz {
-namespace {
-
-/// The point with each coordinate moved by up to so many floats.
 Vector3 nudged(const Vector3& point, CaseRandom& random, int most) {
   Vector3 result = point;
   for (double& c : result) {
@@ -33,6 +30,8 @@ Vector3 nudged(const Vector3& point, CaseRandom& random, int most) {
   }
   return result;
 }
+
+namespace {
 
 class HardRecorder {
  public:

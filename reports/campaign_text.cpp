@@ -147,7 +147,8 @@ std::string list_json(const fuzz::Plugins* plugins) {
   nlohmann::ordered_json json;
   json["tool"] = version();
   json["questions"] = {methods_json<fuzz::ShaftBoxQuestion>(plugins),
-                       methods_json<fuzz::ShaftBallQuestion>(plugins), shadow_question_json()};
+                       methods_json<fuzz::ShaftBallQuestion>(plugins), shadow_question_json(),
+                       first_hit_question_json()};
   json["distributions"] = nlohmann::ordered_json::array();
   for (const fuzz::Distribution& distribution : fuzz::distributions()) {
     json["distributions"].push_back({{"name", distribution.name},

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "fuzz/method.h"
+#include "reports/json_node.h"
 #include "reports/result_reader.h"
 #include "scene/input_error.h"
 
@@ -21,8 +22,10 @@ std::string key_of(const ResultRow& row) {
 ResultFile read_fuzz_result(const std::filesystem::path& path) {
   ResultFile file = read_result_file(path);
   if (file.kind != "fuzz") {
-    throw scene::InputError(path.string(), 0,
-                            "expected a result of gnomon fuzz, found one of kind \"" + file.kind + "\"");
+    throw scene::InputError(
+        path.string(), 0,
+        "expected a result of gnomon fuzz (or two of gnomon measure), found one of kind \"" + file.kind +
+            "\"");
   }
   return file;
 }
@@ -170,6 +173,8 @@ bool Comparison::regressed() const {
 
 Comparison compare_results(const std::filesystem::path& before, const std::filesystem::path& after,
                            const CompareOptions& options) {
+  const Json json = read_json(before);
+  if (kind_of_result(Node(json, before)) == "measure") return compare_measurements(before, after, options);
   const ResultFile old_file = read_fuzz_result(before), new_file = read_fuzz_result(after);
   check_same_run(after, old_file, new_file);
   const RowsByKey old_rows = rows_of(before, old_file), new_rows = rows_of(after, new_file);

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "reports/measure_rows.h"
+
 namespace gnomon::reports {
 
 struct CompareOptions {
@@ -35,10 +37,13 @@ struct SpeedChange {
   double before = 0, after = 0;  ///< ns per case, above 0
   double ratio = 1;              ///< after / before
   bool within_noise = true, above_limit = false;
+  /// Quartiles of rounds, which results of `gnomon measure` have.
+  std::optional<TimeSpread> before_spread = {}, after_spread = {};
 };
 
 struct Comparison {
   std::string old_name, new_name, command;
+  std::string unit = "case";              ///< what times are of: a case, or a query
   std::size_t rows = 0;                   ///< in both
   std::vector<ErrorChange> errors;        ///< worse, then better, then other ones
   std::vector<SpeedChange> speeds;        ///< slowest first
@@ -52,14 +57,29 @@ struct Comparison {
   [[nodiscard]] bool regressed() const;
 };
 
-/// Compares two results of `gnomon fuzz`, row by row (question, method, distribution, scalar). Worse is: a
+/// Compares two results of one kind, `gnomon fuzz` or `gnomon measure`.
+///
+/// Of `gnomon fuzz`: row by row (question, method, distribution, scalar). Worse is: a
 /// promise newly broken; more of unsound, false_culls, false_insides or unsound_touching in any row; more
 /// waste, undecided or rejected in a certified or exact one; a row that the same command no longer gives.
 /// Throws scene::InputError naming the file and what was expected when one is no result file, when seeds or
 /// shards differ, when no row is in both, and when a row in both has other trials or other cases (seen by
 /// their exact answers).
+///
+/// Of `gnomon measure`: as compare_measurements() does. Throws, besides, when one kind is not the other.
 [[nodiscard]] Comparison compare_results(const std::filesystem::path& before,
                                          const std::filesystem::path& after, const CompareOptions& options);
+
+/// Compares two results of `gnomon measure`, row by row (question, scene, variant, workload, method). Worse
+/// is: a promise weakened or newly broken; more wrong answers of any kind in any row; more undecided,
+/// rejected or changed by order in one that promises something; a row that the same command no longer gives.
+/// A time is within noise when its ratio is within the tolerance or the quartiles of old and new overlap; it
+/// is above the limit only when they don't. Throws scene::InputError when seeds or lights differ, when no row
+/// is in both, and when a row in both has other faces or other queries (by number, exact answers and touching
+/// ones).
+[[nodiscard]] Comparison compare_measurements(const std::filesystem::path& before,
+                                              const std::filesystem::path& after,
+                                              const CompareOptions& options);
 
 /// For people; ends with a newline.
 [[nodiscard]] std::string comparison_text(const Comparison& comparison, const CompareOptions& options);

@@ -37,13 +37,18 @@ std::string error_text(const ErrorChange& error) {
                      error.before, error.after, difference);
 }
 
-std::string speed_text(const SpeedChange& speed) {
+std::string spread_text(const std::optional<TimeSpread>& spread) {
+  return spread ? fmt::format(" [{:.4g}, {:.4g}]", spread->low25, spread->high75) : "";
+}
+
+std::string speed_text(const SpeedChange& speed, const std::string& unit) {
   const char* const word = speed.above_limit    ? "TOO SLOW"
                            : speed.within_noise ? "equal"
                            : speed.ratio > 1    ? "slower"
                                                 : "faster";
-  return fmt::format("  {:<9}{}: {:.4g} -> {:.4g} ns per case, x {:.3f}\n", word, speed.row, speed.before,
-                     speed.after, speed.ratio);
+  return fmt::format("  {:<9}{}: {:.4g}{} -> {:.4g}{} ns per {}, x {:.3f}\n", word, speed.row, speed.before,
+                     spread_text(speed.before_spread), speed.after, spread_text(speed.after_spread), unit,
+                     speed.ratio);
 }
 
 double geometric_mean(const std::vector<SpeedChange>& speeds) {
@@ -58,10 +63,11 @@ std::string speeds_text(const Comparison& comparison, const CompareOptions& opti
   const auto noise =
       std::count_if(speeds.begin(), speeds.end(), [](const SpeedChange& s) { return s.within_noise; });
   std::string text =
-      fmt::format("\nSpeed (new / old time per case): x {:.3f} on average over {} rows; {} within {:g} %\n",
-                  geometric_mean(speeds), speeds.size(), noise, 100 * options.tolerance);
+      fmt::format("\nSpeed (new / old time per {}): x {:.3f} on average over {} rows; {} within {:g} %{}\n",
+                  comparison.unit, geometric_mean(speeds), speeds.size(), noise, 100 * options.tolerance,
+                  speeds.front().before_spread ? " or the quartiles of both" : "");
   for (const SpeedChange& speed : speeds) {
-    if (!speed.within_noise || speed.above_limit) text += speed_text(speed);
+    if (!speed.within_noise || speed.above_limit) text += speed_text(speed, comparison.unit);
   }
   if (comparison.reference_ratio) {
     text += fmt::format(
@@ -136,6 +142,9 @@ std::string comparison_json(const Comparison& comparison, const CompareOptions& 
                               {"ratio", speed.ratio},
                               {"within_noise", speed.within_noise},
                               {"above_limit", speed.above_limit}});
+    const auto quartiles = [](const TimeSpread& spread) { return Json{spread.low25, spread.high75}; };
+    if (speed.before_spread) json["speeds"].back()["old_quartiles"] = quartiles(*speed.before_spread);
+    if (speed.after_spread) json["speeds"].back()["new_quartiles"] = quartiles(*speed.after_spread);
   }
   json["reference_ratio"] = comparison.reference_ratio ? Json(*comparison.reference_ratio) : Json(nullptr);
   json["only_old"] = comparison.only_old;

@@ -10,8 +10,6 @@
 
 #include "reports/html_panel.h"
 #include "reports/html_text.h"
-#include "reports/json_node.h"
-#include "reports/measure_rows.h"
 
 namespace gnomon::reports {
 namespace {
@@ -20,6 +18,11 @@ constexpr PanelText kFalseLit{"Unsound: lit though in shadow", "false lit / quer
                               "ns per query"};
 constexpr PanelText kFalseShadowed{"Unsound: in shadow though lit", "false shadowed / queries that are lit",
                                    "ns per query"};
+
+constexpr PanelText kWrongFace{"Unsound: another face than the first", "wrong face / rays that meet one",
+                               "ns per query"};
+constexpr PanelText kFalseMiss{"Unsound: none though there is a face", "false miss / rays that meet one",
+                               "ns per query"};
 
 std::string base64(std::string_view bytes) {
   constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -79,14 +82,19 @@ std::string row_html(const MeasureRow& row) {
                            t->low25, t->high75)
              : "<td class=\"num\">–</td>";
   };
-  std::string out = fmt::format(
-      "<tr><th scope=\"row\"><span class=\"dot t-{}\"></span>{}</th><td>{}{}</td><td class=\"num\">{}</td>"
-      "<td class=\"num\">{}</td>",
-      escaped(row.tier), escaped(row.method), escaped(row.promise),
-      row.promise_broken ? " <b>broken</b>" : "", share_html(row.false_lit), share_html(row.false_shadowed));
-  out += count_cell(row.wrong_reason, "bad") + count_cell(row.unsound_touching, "warn") +
-         count_cell(row.undecided + row.rejected, "warn") + tests(row.boxes) + tests(row.face_tests) +
-         time(row.image) + time(row.shuffled);
+  std::string out = fmt::format("<tr><th scope=\"row\"><span class=\"dot t-{}\"></span>{}</th><td>{}{}</td>",
+                                escaped(row.tier), escaped(row.method), escaped(row.promise),
+                                row.promise_broken ? " <b class=\"bad\">broken</b>" : "");
+  const auto share_cell = [](const Share& share) {
+    return fmt::format("<td class=\"num\">{}</td>", share_html(share));
+  };
+  if (row.question == "first-hit") {
+    out += share_cell(row.wrong_face) + share_cell(row.false_miss) + share_cell(row.false_hit);
+  } else {
+    out += share_cell(row.false_lit) + share_cell(row.false_shadowed) + count_cell(row.wrong_reason, "bad");
+  }
+  out += count_cell(row.unsound_touching, "warn") + count_cell(row.undecided + row.rejected, "warn") +
+         tests(row.boxes) + tests(row.face_tests) + time(row.image) + time(row.shuffled);
   out += fmt::format("<td class=\"num\">{}</td><td class=\"num\">{}</td></tr>\n",
                      row.set_up_seconds ? fmt::format("{:.2g} ms", *row.set_up_seconds * 1e3) : "–",
                      row.bytes > 0 ? thousands((row.bytes + 999) / 1000) + " kB" : "–");
@@ -95,16 +103,24 @@ std::string row_html(const MeasureRow& row) {
 
 std::string workload_html(std::span<const MeasureRow> rows) {
   const MeasureRow& first = rows.front();
-  std::string out =
-      fmt::format("<h4>{} <small>{}: {} faces, {} queries</small></h4>\n", escaped(first.workload),
-                  escaped(first.variant), thousands(first.faces), thousands(first.queries));
+  std::string out = fmt::format("<h4>{} <small>{}, {}: {} faces, {} queries</small></h4>\n",
+                                escaped(first.workload), escaped(first.question), escaped(first.variant),
+                                thousands(first.faces), thousands(first.queries));
+  const bool rays = first.question == "first-hit";
   const std::string plots =
-      plot(rows, &MeasureRow::false_lit, kFalseLit) + plot(rows, &MeasureRow::false_shadowed, kFalseShadowed);
+      rays ? plot(rows, &MeasureRow::wrong_face, kWrongFace) + plot(rows, &MeasureRow::false_miss, kFalseMiss)
+           : plot(rows, &MeasureRow::false_lit, kFalseLit) +
+                 plot(rows, &MeasureRow::false_shadowed, kFalseShadowed);
   if (!plots.empty()) out += "<div class=\"panels\">\n" + plots + "</div>\n";
   out +=
-      "<div class=\"scroll\"><table><thead><tr><th scope=\"col\">Method</th><th scope=\"col\">Promise</th>"
-      "<th scope=\"col\">False lit</th><th scope=\"col\">False shadowed</th><th scope=\"col\">Dark, wrong "
-      "reason</th><th scope=\"col\">of all these touching</th><th scope=\"col\">Undecided</th><th "
+      "<div class=\"scroll\"><table><thead><tr><th scope=\"col\">Method</th><th scope=\"col\">Promise</th>";
+  out += rays
+             ? "<th scope=\"col\">Wrong face</th><th scope=\"col\">False miss</th><th scope=\"col\">False "
+               "hit</th>"
+             : "<th scope=\"col\">False lit</th><th scope=\"col\">False shadowed</th><th scope=\"col\">Dark, "
+               "wrong reason</th>";
+  out +=
+      "<th scope=\"col\">of all these touching</th><th scope=\"col\">Undecided</th><th "
       "scope=\"col\">Boxes</th><th scope=\"col\">Faces</th><th scope=\"col\">ns, image order</th><th "
       "scope=\"col\">ns, shuffled</th><th scope=\"col\">Set-up</th><th "
       "scope=\"col\">Memory</th></tr></thead><tbody>\n";
@@ -112,11 +128,27 @@ std::string workload_html(std::span<const MeasureRow> rows) {
   return out + "</tbody></table></div>\n";
 }
 
-std::string file_html(const std::filesystem::path& path, const std::vector<MeasureRow>& rows) {
+/// The rows scene by scene, in the order in which scenes first come: both questions of a scene together.
+std::vector<MeasureRow> by_scene(const std::vector<MeasureRow>& rows) {
+  std::vector<std::string> scenes;
+  for (const MeasureRow& row : rows) {
+    if (std::find(scenes.begin(), scenes.end(), row.scene) == scenes.end()) scenes.push_back(row.scene);
+  }
+  std::vector<MeasureRow> sorted;
+  for (const std::string& scene : scenes) {
+    std::copy_if(rows.begin(), rows.end(), std::back_inserter(sorted),
+                 [&](const MeasureRow& row) { return row.scene == scene; });
+  }
+  return sorted;
+}
+
+std::string file_html(const std::filesystem::path& path, const std::vector<MeasureRow>& unsorted) {
+  const std::vector<MeasureRow> rows = by_scene(unsorted);
   std::string out, scene;
   for (auto from = rows.begin(); from != rows.end();) {
     const auto to = std::find_if(from, rows.end(), [&](const MeasureRow& row) {
-      return row.scene != from->scene || row.variant != from->variant || row.workload != from->workload;
+      return row.question != from->question || row.scene != from->scene || row.variant != from->variant ||
+             row.workload != from->workload;
     });
     if (from->scene != scene) {
       scene = from->scene;
@@ -132,18 +164,9 @@ std::string file_html(const std::filesystem::path& path, const std::vector<Measu
 
 }  // namespace
 
-std::string measure_section(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> paths;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() == ".json" && !entry.is_directory()) paths.push_back(entry.path());
-  }
-  std::sort(paths.begin(), paths.end());
+std::string measure_section(std::span<const MeasureFile> files) {
   std::string out;
-  for (const std::filesystem::path& path : paths) {
-    const Json json = read_json(path);
-    const Node top(json, path);
-    if (kind_of_result(top) == "measure") out += file_html(path, read_measure_rows(top));
-  }
+  for (const MeasureFile& file : files) out += file_html(file.path, file.rows);
   if (out.empty()) return out;
   return "<section id=\"scenes\"><h2>Scenes</h2>\n<p>Methods on the queries that scenes ask, judged by the "
          "exact answers. Queries of a scene are not independent; the 95 % intervals take them as if they "

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scenes in the report: picture, speed against error, and the numbers.
+// The report's part on measured scenes.
 #pragma once
 
-#include <filesystem>
+#include <span>
 #include <string>
+
+#include "reports/measure_rows.h"
 
 namespace gnomon::reports {
 
-/// A section for every result file of `gnomon measure` in the folder, sorted by name: for each scene its
-/// picture, where a file SCENE.png (the last part of the scene's name) lies beside the result file, and for
-/// each variant and workload the plots and a table. Empty when there are none. Throws scene::InputError for
-/// files of that kind that are not what they should be.
-[[nodiscard]] std::string measure_section(const std::filesystem::path& folder);
+/// Speed against error and a table for each workload of each scene, with the picture SCENE.png where one lies
+/// beside the result file; empty without files.
+[[nodiscard]] std::string measure_section(std::span<const MeasureFile> files);
+
+/// For the top of the page: whether promises held on scenes, and how often each tier was wrong there, with
+/// the 95 % interval. The reference is not counted: it is what judges. Empty without files.
+[[nodiscard]] std::string measure_verdict(std::span<const MeasureFile> files);
 
 }  // namespace gnomon::reports

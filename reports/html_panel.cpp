@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "reports/html_text.h"
 
 namespace gnomon::reports {
@@ -82,6 +84,11 @@ std::string panel_svg(const PlotPanel& panel, const PanelText& text, const std::
                          height(p.errors.rate.low95), height(p.errors.rate.high95));
     }
     out += mark(p, x, y);
+    // A label that had to move away is tied to its mark.
+    if (std::abs(p.label_dy - 4) > 16) {
+      out += fmt::format("<path class=\"leader\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>", x, y, x + p.label_dx,
+                         y + p.label_dy - 4);
+    }
     out += fmt::format("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text></g>",
                        x + p.label_dx, y + p.label_dy, p.label_anchor, escaped(p.label()));
   }

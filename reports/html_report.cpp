@@ -33,16 +33,17 @@ std::string scripts() {
   return out;
 }
 
-std::string page(std::span<const ResultFile> files, const std::string& scenes) {
+std::string page(std::span<const ResultFile> files, std::span<const MeasureFile> scenes) {
   std::string out =
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
       "content=\"width=device-width, initial-scale=1\">\n<meta name=\"color-scheme\" content=\"light "
       "dark\">\n"
       "<title>gnomon report</title>\n<link rel=\"icon\" href=\"data:,\">\n";
   out += fmt::format("<style>\n{}</style>\n</head>\n<body>\n<main>\n", asset("report.css"));
-  out += verdict_section(files) + plot_section(files) + methods_section(files) + rows_section(files) +
-         scenes + error_sources_section(files) + mix_section(files) + witness_section(files) +
-         other_results_section(files) + claims_section(ledger()) + foot_section(files);
+  out += verdict_section(files) + measure_verdict(scenes) + plot_section(files) + methods_section(files) +
+         rows_section(files) + measure_section(scenes) + error_sources_section(files) + mix_section(files) +
+         witness_section(files) + other_results_section(files) + claims_section(ledger()) +
+         foot_section(files);
   out += "</main>\n" + scripts() + "</body>\n</html>\n";
   return out;
 }
@@ -52,7 +53,7 @@ std::string page(std::span<const ResultFile> files, const std::string& scenes) {
 void write_html_report(const std::filesystem::path& dir, const std::filesystem::path& out) {
   const std::vector<ResultFile> files =
       read_result_folder(dir);  // first: it says what is wrong with the folder
-  scene::write_whole_file(out, page(files, measure_section(dir)));
+  scene::write_whole_file(out, page(files, read_measure_files(dir)));
 }
 
 }  // namespace gnomon::reports

@@ -9,6 +9,7 @@ namespace gnomon::reports {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using fuzz::FirstHitRow;
 using fuzz::ShadowRow;
 
 Json rate_json(std::uint64_t hits, std::uint64_t of) {
@@ -44,7 +45,8 @@ Json touching_json(const ShadowRow& row) {
   return json;
 }
 
-Json tests_json(const ShadowRow& row) {
+template <class Row>
+Json tests_json(const Row& row) {
   if (!row.tests) return nullptr;
   const double n = static_cast<double>(row.queries());
   return {{"boxes", static_cast<double>(row.tests->boxes) / n},
@@ -52,10 +54,11 @@ Json tests_json(const ShadowRow& row) {
           {"exact", static_cast<double>(row.tests->exact) / n}};
 }
 
-Json row_json(const ShadowRow& row) {
-  const ShadowRow::Matrix& m = row.matrix;
+/// The fields that rows of both questions begin with.
+template <class Row>
+Json head_json(const char* question, const Row& row) {
   Json json;
-  json["question"] = "shadow";
+  json["question"] = question;
   json["scene"] = row.scene;
   json["faces"] = row.faces;
   json["workload"] = row.workload;
@@ -64,6 +67,12 @@ Json row_json(const ShadowRow& row) {
   json["tier"] = row.method->tier;
   json["promise"] = name_of(row.method->promise);
   json["queries"] = row.queries();
+  return json;
+}
+
+Json row_json(const ShadowRow& row) {
+  const ShadowRow::Matrix& m = row.matrix;
+  Json json = head_json("shadow", row);
   json["matrix"] = matrix_json(m);
   json["touching"] = touching_json(row);
   json["waste"] = 0;  // the question has none: each wrong answer is a wrong image
@@ -82,8 +91,50 @@ Json row_json(const ShadowRow& row) {
   return json;
 }
 
-Json time_json(const ShadowRow& row, const char* order, const fuzz::Spread& ns) {
-  return {{"question", "shadow"},
+Json hit_matrix_json(const FirstHitRow::Matrix& matrix) {
+  Json json = Json::object();
+  for (std::size_t truth = 0; truth < fuzz::kHitTruths.size(); ++truth) {
+    Json cells = Json::object();
+    for (std::size_t answer = 0; answer < fuzz::kHitAnswers.size(); ++answer) {
+      cells[std::string(fuzz::kHitAnswers[answer])] = matrix[truth][answer];
+    }
+    json[std::string(fuzz::kHitTruths[truth])] = cells;
+  }
+  return json;
+}
+
+Json hit_row_json(const FirstHitRow& row) {
+  const FirstHitRow::Matrix &m = row.matrix, &touching = row.touching;
+  Json json = head_json("first-hit", row);
+  json["matrix"] = hit_matrix_json(m);
+  json["touching"] = {{"none", FirstHitRow::truths(touching, 0)},
+                      {"face", FirstHitRow::truths(touching, 1)},
+                      {"unsound", FirstHitRow::unsound(touching)},
+                      {"wrong_face", FirstHitRow::wrong_face(touching)},
+                      {"false_miss", FirstHitRow::false_miss(touching)},
+                      {"false_hit", FirstHitRow::false_hit(touching)},
+                      {"undecided", FirstHitRow::column(touching, FirstHitRow::undecided)}};
+  json["ties"] = row.ties;
+  json["waste"] = 0;  // as for shadow
+  json["unsound"] = FirstHitRow::unsound(m);
+  json["wrong_face"] = FirstHitRow::wrong_face(m);
+  json["false_miss"] = FirstHitRow::false_miss(m);
+  json["false_hit"] = FirstHitRow::false_hit(m);
+  json["undecided"] = FirstHitRow::column(m, FirstHitRow::undecided);
+  json["rejected"] = FirstHitRow::column(m, FirstHitRow::rejected);
+  json["changed_by_order"] = row.changed_by_order;
+  json["unsound_rate"] = rate_json(FirstHitRow::unsound(m), row.queries());
+  json["wrong_face_rate"] = rate_json(FirstHitRow::wrong_face(m), FirstHitRow::truths(m, 1));
+  json["false_miss_rate"] = rate_json(FirstHitRow::false_miss(m), FirstHitRow::truths(m, 1));
+  json["false_hit_rate"] = rate_json(FirstHitRow::false_hit(m), FirstHitRow::truths(m, 0));
+  json["tests_per_query"] = tests_json(row);
+  json["promise_broken"] = row.promise_broken();
+  return json;
+}
+
+template <class Row>
+Json time_json(const char* question, const Row& row, const char* order, const fuzz::Spread& ns) {
+  return {{"question", question},
           {"scene", row.scene},
           {"workload", row.workload},
           {"variant", row.variant},
@@ -100,6 +151,8 @@ std::string measure_json(const fuzz::Measurement& measurement, const MeasureComm
   json["kind"] = "measure";
   json["tool"] = version();
   json["command"] = command.text;
+  json["seed"] = command.seed;
+  json["lights"] = command.lights;
   if (!command.complete) json["complete"] = false;
   json["note"] =
       "queries of a scene are not independent: the 95 % intervals (Clopper-Pearson) take them as if they "
@@ -110,8 +163,14 @@ std::string measure_json(const fuzz::Measurement& measurement, const MeasureComm
   for (std::size_t i = 0; i < measurement.rows.size(); ++i) {
     const ShadowRow& row = measurement.rows[i];
     json["rows"].push_back(row_json(row));
-    times.push_back(time_json(row, "image", measurement.times[i].image));
-    times.push_back(time_json(row, "shuffled", measurement.times[i].shuffled));
+    times.push_back(time_json("shadow", row, "image", measurement.times[i].image));
+    times.push_back(time_json("shadow", row, "shuffled", measurement.times[i].shuffled));
+  }
+  for (std::size_t i = 0; i < measurement.hit_rows.size(); ++i) {
+    const FirstHitRow& row = measurement.hit_rows[i];
+    json["rows"].push_back(hit_row_json(row));
+    times.push_back(time_json("first-hit", row, "image", measurement.hit_times[i].image));
+    times.push_back(time_json("first-hit", row, "shuffled", measurement.hit_times[i].shuffled));
   }
   for (const fuzz::SetUp& set_up : measurement.set_ups) {
     set_ups.push_back({{"scene", set_up.scene},

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reports/measure_rows.h"
 
+#include <algorithm>
+
 #include "reports/json_node.h"
 
 namespace gnomon::reports {
@@ -21,6 +23,10 @@ std::uint64_t count_of(const Node& node, const char* key, std::uint64_t queries)
 
 MeasureRow row(const Node& node) {
   MeasureRow r;
+  const Node question = node.at("question");
+  r.question = question.text();
+  const bool shadow = r.question == "shadow";
+  if (!shadow && r.question != "first-hit") question.fail("\"shadow\" or \"first-hit\"");
   r.scene = node.at("scene").text();
   r.variant = node.at("variant").text();
   r.workload = node.at("workload").text();
@@ -29,13 +35,24 @@ MeasureRow row(const Node& node) {
   r.promise = node.at("promise").text();
   r.faces = node.at("faces").count();
   r.queries = node.at("queries").count();
-  r.false_lit = share(node.at("false_lit_rate"));
-  r.false_shadowed = share(node.at("false_shadowed_rate"));
-  r.wrong_reason = count_of(node, "wrong_reason", r.queries);
+  if (shadow) {
+    r.false_lit = share(node.at("false_lit_rate"));
+    r.false_shadowed = share(node.at("false_shadowed_rate"));
+    r.wrong_reason = count_of(node, "wrong_reason", r.queries);
+  } else {
+    r.wrong_face = share(node.at("wrong_face_rate"));
+    r.false_miss = share(node.at("false_miss_rate"));
+    r.false_hit = share(node.at("false_hit_rate"));
+  }
+  for (const auto& [truth, answers] : node.at("matrix").fields()) {
+    for (const auto& [answer, count] : answers.fields()) r.truths[truth] += count.count();
+    r.touching[truth] = count_of(node.at("touching"), truth.c_str(), r.queries);
+  }
   r.unsound = count_of(node, "unsound", r.queries);
   r.unsound_touching = count_of(node.at("touching"), "unsound", r.unsound);
   r.undecided = count_of(node, "undecided", r.queries);
   r.rejected = count_of(node, "rejected", r.queries);
+  r.changed_by_order = count_of(node, "changed_by_order", r.queries);
   r.promise_broken = node.at("promise_broken").flag();
   if (node.has("tests_per_query")) {
     const Node tests = node.at("tests_per_query");
@@ -68,7 +85,10 @@ std::vector<MeasureRow> read_measure_rows(const Node& top) {
   for (const Node& time : measured.at("ns_per_query").list()) {
     const TimeSpread ns = spread(time.at("ns"));
     for (MeasureRow& r : rows) {
-      if (!names(r, time) || r.workload != time.at("workload").text()) continue;
+      if (!names(r, time) || r.workload != time.at("workload").text() ||
+          r.question != time.at("question").text()) {
+        continue;
+      }
       (time.at("order").text() == "image" ? r.image : r.shuffled) = ns;
     }
   }
@@ -82,6 +102,21 @@ std::vector<MeasureRow> read_measure_rows(const Node& top) {
     }
   }
   return rows;
+}
+
+std::vector<MeasureFile> read_measure_files(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> paths;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() == ".json" && !entry.is_directory()) paths.push_back(entry.path());
+  }
+  std::sort(paths.begin(), paths.end());
+  std::vector<MeasureFile> files;
+  for (const std::filesystem::path& path : paths) {
+    const Json json = read_json(path);
+    const Node top(json, path);
+    if (kind_of_result(top) == "measure") files.push_back({path, read_measure_rows(top)});
+  }
+  return files;
 }
 
 }  // namespace gnomon::reports

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,10 +22,14 @@ struct TimeSpread {
 
 /// One method on one workload of one variant of a scene. Field names are those of the result file.
 struct MeasureRow {
-  std::string scene, variant, workload, method, tier, promise;
+  std::string question, scene, variant, workload, method, tier, promise;
   std::uint64_t faces = 0, queries = 0;
-  Share false_lit, false_shadowed;
+  Share false_lit, false_shadowed;          ///< of `shadow` alone
+  Share wrong_face, false_miss, false_hit;  ///< of `first-hit` alone
   std::uint64_t wrong_reason = 0, unsound = 0, unsound_touching = 0, undecided = 0, rejected = 0;
+  std::uint64_t changed_by_order = 0;
+  std::map<std::string, std::uint64_t> truths;    ///< queries by exact answer
+  std::map<std::string, std::uint64_t> touching;  ///< touching ones by exact answer
   bool promise_broken = false;
   std::optional<double> boxes, face_tests, exact;  ///< tests a query
   std::optional<TimeSpread> image, shuffled;
@@ -34,5 +40,14 @@ struct MeasureRow {
 /// The rows of a result file of that kind with what was measured of them. Throws scene::InputError, with one
 /// line, for what is missing or can't be.
 [[nodiscard]] std::vector<MeasureRow> read_measure_rows(const Node& top);
+
+/// One result file of `gnomon measure`.
+struct MeasureFile {
+  std::filesystem::path path;
+  std::vector<MeasureRow> rows;
+};
+
+/// Those of a folder, in the order of their names; other result files are passed over.
+[[nodiscard]] std::vector<MeasureFile> read_measure_files(const std::filesystem::path& folder);
 
 }  // namespace gnomon::reports

@@ -2,7 +2,9 @@
 // Measurements as a table and as a result file.
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "fuzz/scene_measurement.h"
 
@@ -14,6 +16,8 @@ namespace gnomon::reports {
 /// What the command line says of a measurement.
 struct MeasureCommand {
   std::string text;  ///< that can be typed again
+  std::uint64_t seed = 1;
+  std::vector<std::string> lights;  ///< instead of the scenes' own
   unsigned rounds = 0;
   bool complete = true;  ///< all scenes are in
 };

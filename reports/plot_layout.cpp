@@ -15,6 +15,7 @@ namespace {
 constexpr double kLetter = 6.4;  // pixels: a generous mean width of a letter at the labels' 11.5 px
 constexpr double kLine = 13;     // pixels from one line of text to the next
 constexpr double kMark = 7;      // pixels: half a mark and a gap
+constexpr int kMostShifts = 32;  // places tried up and down from a mark: half the panel at most
 
 struct Area {
   double x0, y0, x1, y1;
@@ -146,7 +147,7 @@ void place_labels(PlotPanel& panel) {
     double best_cost = std::numeric_limits<double>::infinity();
     Area best{};
     // From near to far: beside the mark, then further up and down on either side, then above it.
-    for (int k = 0; k <= 12; ++k) {
+    for (int k = 0; k <= kMostShifts; ++k) {
       const double shift = (k % 2 == 0 ? 1 : -1) * ((k + 1) / 2) * kLine * 0.75;
       const struct {
         double dx, dy;

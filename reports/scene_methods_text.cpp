@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "fuzz/first_hit_row.h"
 #include "fuzz/scene_variant.h"
 #include "fuzz/workload.h"
 #include "reports/peers/peers.h"
@@ -12,13 +13,17 @@
 namespace gnomon::reports {
 
 std::string scene_methods_text() {
-  std::string text = "shadow (gnomon measure, gnomon render)\n";
+  std::string text = "shadow (gnomon measure, gnomon render) and first-hit (gnomon measure)\n";
   for (const fuzz::SceneMethod& method : all_scene_methods()) {
     text += fmt::format("  {:<19} {:<11}{:<9}{:<16}{}\n", method.name, method.tier, "f32",
                         name_of(method.promise), method.summary);
   }
   text += "\nWorkloads of shadow:\n\n";
   for (const fuzz::WorkloadKind& kind : fuzz::workload_kinds()) {
+    text += fmt::format("  {:<16}{}\n", kind.name, kind.description);
+  }
+  text += "\nWorkloads of first-hit:\n\n";
+  for (const fuzz::WorkloadKind& kind : fuzz::ray_workload_kinds()) {
     text += fmt::format("  {:<16}{}\n", kind.name, kind.description);
   }
   text += "\nVariants of scenes:\n\n";
@@ -28,7 +33,10 @@ std::string scene_methods_text() {
   return text;
 }
 
-nlohmann::ordered_json shadow_question_json() {
+namespace {
+
+nlohmann::ordered_json scene_question_json(const char* id, std::span<const std::string_view> answers,
+                                           std::span<const fuzz::WorkloadKind> kinds) {
   using Json = nlohmann::ordered_json;
   Json methods = Json::array(), workloads = Json::array(), variants = Json::array();
   for (const fuzz::SceneMethod& method : all_scene_methods()) {
@@ -41,17 +49,27 @@ nlohmann::ordered_json shadow_question_json() {
                        {"balls", method.has_balls},
                        {"summary", method.summary}});
   }
-  for (const fuzz::WorkloadKind& kind : fuzz::workload_kinds()) {
+  for (const fuzz::WorkloadKind& kind : kinds) {
     workloads.push_back({{"name", kind.name}, {"description", kind.description}});
   }
   for (const fuzz::SceneVariant& variant : fuzz::scene_variants()) {
     variants.push_back({{"name", variant.name}, {"description", variant.description}});
   }
-  return {{"id", "shadow"},
-          {"answers", fuzz::kShadowAnswers},
+  return {{"id", id},
+          {"answers", answers},
           {"methods", methods},
           {"workloads", workloads},
           {"variants", variants}};
+}
+
+}  // namespace
+
+nlohmann::ordered_json shadow_question_json() {
+  return scene_question_json("shadow", fuzz::kShadowAnswers, fuzz::workload_kinds());
+}
+
+nlohmann::ordered_json first_hit_question_json() {
+  return scene_question_json("first-hit", fuzz::kHitTruths, fuzz::ray_workload_kinds());
 }
 
 std::vector<std::string> not_built_in() {

@@ -13,6 +13,7 @@ namespace gnomon::reports {
 
 /// The question shadow in the form of the others, and its workloads and variants.
 [[nodiscard]] nlohmann::ordered_json shadow_question_json();
+[[nodiscard]] nlohmann::ordered_json first_hit_question_json();
 
 /// What could be built in and is not.
 [[nodiscard]] std::vector<std::string> not_built_in();

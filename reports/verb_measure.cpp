@@ -31,8 +31,8 @@ struct MeasureArguments {
   unsigned rounds = fuzz::MeasureOptions{}.rounds;
 };
 
-/// What is asked of one variant: `hard` is asked of all variants by default, the others of the scene as
-/// given.
+/// What is asked of one variant: `hard` and `hard-rays` are asked of all variants by default, the others of
+/// the scene as given.
 struct VariantRun {
   const fuzz::SceneVariant* variant;
   std::vector<std::string> workloads;
@@ -42,17 +42,22 @@ std::vector<VariantRun> variant_runs(const MeasureArguments& arguments) {
   std::vector<std::string> workloads = arguments.workloads;
   for (const std::string& name : workloads) static_cast<void>(fuzz::workload_kind(name));
   if (workloads.empty()) {
-    for (const fuzz::WorkloadKind& kind : fuzz::workload_kinds()) workloads.emplace_back(kind.name);
+    for (const auto& kinds : {fuzz::workload_kinds(), fuzz::ray_workload_kinds()}) {
+      for (const fuzz::WorkloadKind& kind : kinds) workloads.emplace_back(kind.name);
+    }
   }
   std::vector<VariantRun> runs;
   for (const std::string& name : arguments.variants) runs.push_back({&fuzz::scene_variant(name), workloads});
   if (!runs.empty()) return runs;
-  const bool hard = std::find(workloads.begin(), workloads.end(), "hard") != workloads.end();
+  std::vector<std::string> hard;
+  for (const std::string& name : workloads) {
+    if (name.starts_with("hard")) hard.push_back(name);
+  }
   for (const fuzz::SceneVariant& variant : fuzz::scene_variants()) {
     if (variant.name == "given") {
       runs.push_back({&variant, workloads});
-    } else if (hard) {
-      runs.push_back({&variant, {"hard"}});
+    } else if (!hard.empty()) {
+      runs.push_back({&variant, hard});
     }
   }
   return runs;
@@ -103,16 +108,19 @@ int run_measure(MeasureArguments arguments) {
       if (!arguments.json.empty()) {
         scene::write_whole_file(
             arguments.json,
-            measure_json(measurement, {command_of(arguments), arguments.rounds, i + 1 == scenes.size()}));
+            measure_json(measurement, {command_of(arguments), arguments.seed, arguments.lights,
+                                       arguments.rounds, i + 1 == scenes.size()}));
       }
     }
   }
   std::cout << measure_text(measurement);
-  for (const fuzz::ShadowRow& row : measurement.rows) {
-    if (!row.promise_broken()) continue;
+  const auto say_broken = [](const auto& row) {
+    if (!row.promise_broken()) return;
     std::cerr << "gnomon: " << row.method->name << " on " << row.scene << " (" << row.variant << ") "
               << row.workload << " broke its promise (" << name_of(row.method->promise) << ")\n";
-  }
+  };
+  for (const fuzz::ShadowRow& row : measurement.rows) say_broken(row);
+  for (const fuzz::FirstHitRow& row : measurement.hit_rows) say_broken(row);
   return measurement.promise_broken() ? kBroken : 0;
 }
 
@@ -132,8 +140,8 @@ void add_measure_verb(CLI::App& app, std::function<int()>& run) {
   several("--method", arguments->methods, "a method of `gnomon list` (repeatable); all without it");
   several("--workload", arguments->workloads, "a workload (repeatable); all without it");
   several("--variant", arguments->variants,
-          "given, moved, scaled-up or scaled-down (repeatable); without it hard is asked of all, the rest of "
-          "the scene as given");
+          "given, moved, scaled-up or scaled-down (repeatable); without it hard and hard-rays are asked of "
+          "all, the rest of the scene as given");
   // Queries are told apart by 32 bits, and each takes some hundred bytes in all.
   verb->add_option("--queries", arguments->queries, "at most so many a workload")
       ->check(whole_number(1, 100'000'000))
@@ -149,13 +157,15 @@ void add_measure_verb(CLI::App& app, std::function<int()>& run) {
       "A scene's numbers are rounded to floats first, so that all methods and the truth see the same ones. "
       "One\n"
       "without lights gets two, one without a view gets one, from its extent. Workloads:\n";
-  for (const fuzz::WorkloadKind& kind : fuzz::workload_kinds()) {
-    footer += "  " + std::string(kind.name) + std::string(12 - kind.name.size(), ' ') +
-              std::string(kind.description) + "\n";
+  for (const auto& kinds : {fuzz::workload_kinds(), fuzz::ray_workload_kinds()}) {
+    for (const fuzz::WorkloadKind& kind : kinds) {
+      footer += "  " + std::string(kind.name) + std::string(14 - kind.name.size(), ' ') +
+                std::string(kind.description) + "\n";
+    }
   }
   footer += "Variants:\n";
   for (const fuzz::SceneVariant& variant : fuzz::scene_variants()) {
-    footer += "  " + std::string(variant.name) + std::string(12 - variant.name.size(), ' ') +
+    footer += "  " + std::string(variant.name) + std::string(14 - variant.name.size(), ' ') +
               std::string(variant.description) + "\n";
   }
   verb->footer(footer +

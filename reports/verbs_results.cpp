@@ -49,8 +49,9 @@ void add_result_verbs(CLI::App& app, std::function<int()>& run) {
   CLI::App* const compare =
       app.add_subcommand("compare", "Two results of one workload: errors first, then speed");
   const auto arguments = std::make_shared<CompareArguments>();
-  compare->add_option("old", arguments->before, "result file of gnomon fuzz")->required();
-  compare->add_option("new", arguments->after, "one of the same seed, shard and cases")->required();
+  compare->add_option("old", arguments->before, "result file of gnomon fuzz or gnomon measure")->required();
+  compare->add_option("new", arguments->after, "one of the same seed, shard and cases, or scenes and queries")
+      ->required();
   compare
       ->add_option("--tolerance", arguments->options.tolerance, "times per case this close are called equal")
       ->capture_default_str();
@@ -62,7 +63,9 @@ void add_result_verbs(CLI::App& app, std::function<int()>& run) {
       "Exit status: 1 when a promise is newly broken, unsound answers are more, or a certified or exact row "
       "wastes,\n"
       "leaves open or rejects more, or the same command no longer gives a row. Cases are the same, so every\n"
-      "change of a count is a change of the method.\n"
+      "change of a count is a change of the method. Of gnomon measure: more wrong answers of any row, and "
+      "times\n"
+      "beyond the quartiles of both results as well as the tolerance.\n"
       "Examples:\n"
       "  gnomon compare before/shaft-box-1.json after/shaft-box-1.json\n"
       "  gnomon compare old.json new.json --speed-limit 1.2 --json comparison.json");
@@ -84,6 +87,9 @@ void add_result_verbs(CLI::App& app, std::function<int()>& run) {
       "All shards give, outside \"measured\", the bytes of the run that was not sharded. Exit status: 1 when "
       "a promise is\n"
       "broken in the merged result.\n"
+      "Results of gnomon measure are refused: they have nothing to add up. `gnomon report` shows all that "
+      "lie "
+      "in a folder.\n"
       "Examples:\n"
       "  gnomon merge results/shaft-box-1-*of3.json -o shaft-box-1.json\n"
       "  gnomon merge seed1.json seed2.json -o both.json");

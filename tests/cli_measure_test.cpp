@@ -86,6 +86,59 @@ TEST(CommandLineMeasure, WritesAllFieldsOfTheContract) {
   }
 }
 
+TEST(CommandLineMeasure, AsksFirstHitToo) {
+  const Folder folder;
+  folder.write("s.nff", kBallsNff);
+  const Outcome run =
+      run_gnomon({"measure",    "s.nff",     "--queries",  "2000",          "--rounds",  "1",
+                  "--workload", "hard-rays", "--workload", "primary-rays",  "--variant", "given",
+                  "--method",   "bvh-exact", "--method",   "bvh-naive-f32", "--method",  "bvh-certified-f32",
+                  "--method",   "reference", "--json",     "m.json"},
+                 folder.path());
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_TRUE(has(run.out, "first-hit, 69 faces, 2000 rays, exactly ")) << run.out;
+  const json result = json::parse(contents_of(folder / "m.json"));
+  ASSERT_EQ(result.at("rows").size(), 8u);
+  std::uint64_t wrong_on_hard = 0;
+  for (const json& row : result.at("rows")) {
+    const auto count = [&row](const char* key) { return row.at(key).get<std::uint64_t>(); };
+    EXPECT_EQ(row.at("question"), "first-hit");
+    EXPECT_EQ(row.at("faces"), 69);
+    const json& none = row.at("matrix").at("none");
+    const json& face = row.at("matrix").at("face");
+    std::uint64_t sum = 0;
+    for (const json* cells : {&none, &face}) {
+      for (const json& n : *cells) sum += n.get<std::uint64_t>();
+    }
+    EXPECT_EQ(sum, count("queries"));
+    EXPECT_EQ(none.at("right"), 0);
+    EXPECT_EQ(face.at("wrong"), count("wrong_face"));
+    EXPECT_EQ(face.at("none"), count("false_miss"));
+    EXPECT_EQ(none.at("wrong"), count("false_hit"));
+    EXPECT_EQ(count("unsound"), count("wrong_face") + count("false_miss") + count("false_hit"));
+    EXPECT_EQ(row.at("unsound_rate").at("hits"), count("unsound"));
+    EXPECT_EQ(row.at("false_hit_rate").at("of").get<std::uint64_t>() +
+                  row.at("wrong_face_rate").at("of").get<std::uint64_t>(),
+              count("queries"));
+    EXPECT_LE(row.at("touching").at("unsound").get<std::uint64_t>(), count("unsound"));
+    EXPECT_GT(row.at("tests_per_query").at("boxes").get<double>(), 0);
+    EXPECT_EQ(count("rejected"), 0u);
+    EXPECT_FALSE(row.at("promise_broken").get<bool>());
+    const std::string method = row.at("method");
+    if (method != "bvh-naive-f32") EXPECT_EQ(count("unsound"), 0u) << method;
+    if (method != "bvh-certified-f32") EXPECT_EQ(count("undecided"), 0u) << method;
+    if (row.at("workload") == "hard-rays") {
+      EXPECT_GT(count("ties"), 100u);  // edges and vertices, met exactly
+      if (method == "bvh-naive-f32") wrong_on_hard += count("unsound");
+      if (method == "bvh-certified-f32") EXPECT_GT(count("undecided"), 0u);
+    }
+  }
+  EXPECT_GT(wrong_on_hard, 10u);
+  EXPECT_EQ(result.at("measured").at("ns_per_query").size(), 16u);
+  for (const json& time : result.at("measured").at("ns_per_query"))
+    EXPECT_EQ(time.at("question"), "first-hit");
+}
+
 TEST(CommandLineMeasure, GivesTheSameRowsEachTime) {
   const Folder folder;
   folder.write("s.nff", kTrianglesNff);
@@ -100,7 +153,8 @@ TEST(CommandLineMeasure, GivesTheSameRowsEachTime) {
   const std::string first = rows("a.json");
   EXPECT_EQ(first, rows("b.json"));
   // All methods, hard in all variants, the others in one.
-  for (const char* said : {"cgal-epick", "reference", "primary", "light-rays", "scaled-down", "moved"}) {
+  for (const char* said : {"cgal-epick", "reference", "primary", "light-rays", "primary-rays", "hard-rays",
+                           "scaled-down", "moved"}) {
     EXPECT_TRUE(has(first, said)) << said;
   }
 }

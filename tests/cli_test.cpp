@@ -97,9 +97,10 @@ TEST(CommandLine, ListSaysWhatThereIs) {
   const json all = json::parse(machine.out);
   std::map<std::string, std::size_t> methods;
   for (const json& question : all.at("questions")) {
-    const bool shadow = question.at("id") == "shadow";
-    EXPECT_EQ(question.at("answers"),
-              shadow ? (json{"lit", "shadowed", "facing"}) : (json{"outside", "overlap", "inside"}));
+    const json answers = question.at("id") == "shadow"      ? json{"lit", "shadowed", "facing"}
+                         : question.at("id") == "first-hit" ? json{"none", "face"}
+                                                            : json{"outside", "overlap", "inside"};
+    EXPECT_EQ(question.at("answers"), answers);
     for (const json& method : question.at("methods")) {
       ++methods[question.at("id")];
       EXPECT_TRUE(has(text.out, method.at("name"))) << method;
@@ -111,6 +112,7 @@ TEST(CommandLine, ListSaysWhatThereIs) {
   EXPECT_GE(methods["shaft-box"], 10u);
   EXPECT_GE(methods["shaft-sphere"], 9u);
   EXPECT_GE(methods["shadow"], 7u);
+  EXPECT_EQ(methods["first-hit"], methods["shadow"]);
   EXPECT_GE(all.at("distributions").size(), 11u);
   for (const json& distribution : all.at("distributions")) {
     EXPECT_TRUE(has(text.out, distribution.at("name"))) << distribution;

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "reports/peers/peers.h"
 #include "tests/shadow_scenes.h"
 
@@ -85,6 +87,69 @@ TEST(MeasureScene, CountsTouchingApart) {
     EXPECT_EQ(ShadowRow::truths(row.touching, truth), touching[truth]) << truth;
   }
   EXPECT_EQ(ShadowRow::unsound(row.touching), touching[1] + touching[2]);
+}
+
+/// Says one number of every ray.
+template <std::uint32_t kAlways>
+class HitParrot : public Parrot<0> {
+ public:
+  void first_hits(std::span<const scene::RayQuery> /*rays*/, std::span<std::uint32_t> faces) const override {
+    std::fill(faces.begin(), faces.end(), kAlways);
+  }
+};
+
+template <std::uint32_t kAlways>
+SceneMethod hit_parrot(Promise promise) {
+  return {"parrot", "naive", promise, "", "", false, true, [](const scene::Scene&) {
+            return std::unique_ptr<SceneCaster>(std::make_unique<HitParrot<kAlways>>());
+          }};
+}
+
+TEST(MeasureScene, JudgesFirstHitsByAllFacesThatTie) {
+  const scene::Scene scene = tests::single_scene(tests::kBallsNff);
+  const std::vector<scene::RayQuery> rays = record_rays("hard-rays", scene, {500, 1});
+  std::uint64_t misses = 0, first = 0, ties = 0, touching = 0;
+  for (const scene::RayQuery& ray : rays) {
+    const exact::FirstHit hit = exact::first_hit_by_all_faces(scene, ray);
+    misses += hit.faces.empty() ? 1 : 0;
+    first += std::find(hit.faces.begin(), hit.faces.end(), 1U) != hit.faces.end() ? 1 : 0;
+    ties += hit.faces.size() > 1 ? 1 : 0;
+    touching += hit.touching ? 1 : 0;
+  }
+  ASSERT_GT(misses, 20u);
+  ASSERT_GT(first, 20u);
+  ASSERT_GT(ties, 20u);
+  ASSERT_GT(touching, 20u);
+
+  const Measurement one = measure(hit_parrot<1>(Promise::none), {"hard-rays"});
+  EXPECT_TRUE(one.rows.empty());
+  ASSERT_EQ(one.hit_rows.size(), 1u);
+  ASSERT_EQ(one.hit_times.size(), 1u);
+  const FirstHitRow& row = one.hit_rows[0];
+  EXPECT_EQ(row.queries(), rays.size());
+  EXPECT_EQ(row.ties, ties);
+  EXPECT_EQ(FirstHitRow::truths(row.touching, 0) + FirstHitRow::truths(row.touching, 1), touching);
+  EXPECT_EQ(row.matrix[1][FirstHitRow::right], first);
+  EXPECT_EQ(FirstHitRow::false_hit(row.matrix), misses);
+  EXPECT_EQ(FirstHitRow::false_miss(row.matrix), 0u);
+  EXPECT_EQ(FirstHitRow::wrong_face(row.matrix), rays.size() - misses - first);
+  const Measurement none = measure(hit_parrot<scene::kNoFace>(Promise::none), {"hard-rays"});
+  EXPECT_EQ(FirstHitRow::false_miss(none.hit_rows.at(0).matrix), rays.size() - misses);
+  EXPECT_EQ(FirstHitRow::unsound(none.hit_rows.at(0).matrix), rays.size() - misses);
+}
+
+TEST(MeasureScene, FindsBrokenPromisesOfFirstHit) {
+  const std::vector<std::string> rays{"hard-rays"};
+  EXPECT_FALSE(measure(hit_parrot<1>(Promise::none), rays).promise_broken());
+  EXPECT_TRUE(measure(hit_parrot<1>(Promise::never_unsound), rays).promise_broken());
+  EXPECT_TRUE(measure(hit_parrot<scene::kNoFace>(Promise::never_unsound), rays).promise_broken());
+  EXPECT_FALSE(measure(hit_parrot<kUndecidedFace>(Promise::never_unsound), rays).promise_broken());
+  EXPECT_TRUE(measure(hit_parrot<kUndecidedFace>(Promise::always_agrees), rays).promise_broken());
+  // A number of no face is no answer.
+  const Measurement rejected = measure(hit_parrot<1000>(Promise::always_agrees), rays);
+  EXPECT_TRUE(rejected.promise_broken());
+  const FirstHitRow& row = rejected.hit_rows.at(0);
+  EXPECT_EQ(FirstHitRow::column(row.matrix, FirstHitRow::rejected), row.queries());
 }
 
 TEST(MeasureScene, SaysWhatItLeavesOut) {

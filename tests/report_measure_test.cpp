@@ -20,36 +20,43 @@ std::size_t count(const std::string& text, const std::string& part) {
   return n;
 }
 
+std::string section_of(const std::filesystem::path& folder) {
+  return reports::measure_section(reports::read_measure_files(folder));
+}
+
 /// A folder with the result file of a small measurement.
 struct MeasuredFolder : Folder {
   MeasuredFolder() {
     write("s.nff", kBallsNff);
-    const Outcome run = run_gnomon(
-        {"measure",  "s.nff",      "--queries", "300",       "--rounds", "1",        "--workload",
-         "hard",     "--workload", "surface",   "--variant", "given",    "--method", "bvh-naive-f32",
-         "--method", "bvh-exact",  "--method",  "reference", "--json",   "m.json"},
-        path());
+    const Outcome run =
+        run_gnomon({"measure",    "s.nff",     "--queries",  "300",           "--rounds",   "1",
+                    "--workload", "hard",      "--workload", "surface",       "--workload", "hard-rays",
+                    "--variant",  "given",     "--method",   "bvh-naive-f32", "--method",   "bvh-exact",
+                    "--method",   "reference", "--json",     "m.json"},
+                   path());
     EXPECT_EQ(run.status, 0) << run.err;
   }
 };
 
 TEST(MeasuredScenes, HaveASectionWithPlotsTableAndPicture) {
   const MeasuredFolder folder;
-  const std::string without = reports::measure_section(folder.path());
+  const std::string without = section_of(folder.path());
   EXPECT_EQ(count(without, "<h3>s.nff"), 1u);
-  EXPECT_EQ(count(without, "<h4>"), 2u);  // a workload each
-  EXPECT_EQ(count(without, "<svg"), 4u);  // two directions of error each
-  EXPECT_EQ(count(without, "<tr><th scope=\"row\">"), 6u);
+  EXPECT_EQ(count(without, "<h4>"), 3u);  // a workload each
+  EXPECT_EQ(count(without, "<svg"), 6u);  // two directions of error each
+  EXPECT_EQ(count(without, "<tr><th scope=\"row\">"), 9u);
+  EXPECT_EQ(count(without, ">False lit</th>"), 2u);
+  EXPECT_EQ(count(without, ">Wrong face</th>"), 1u);
   EXPECT_EQ(count(without, "<img"), 0u);
   ASSERT_EQ(run_gnomon({"render", "s.nff", "--method", "reference", "--size", "4x3", "-o", "s.nff.png"},
                        folder.path())
                 .status,
             0);
-  const std::string with = reports::measure_section(folder.path());
+  const std::string with = section_of(folder.path());
   EXPECT_EQ(count(with, "<img"), 1u);
   EXPECT_EQ(count(with, "data:image/png;base64,iVBORw0KGgo"), 1u);  // the signature of PNG
   folder.write("s.nff.png", "no picture");
-  EXPECT_EQ(reports::measure_section(folder.path()), without);
+  EXPECT_EQ(section_of(folder.path()), without);
 
   const Outcome report = run_gnomon({"report", ".", "-o", "r.html"}, folder.path());
   ASSERT_EQ(report.status, 0) << report.err;
@@ -66,6 +73,10 @@ TEST(MeasuredScenes, OfBadFilesAreRefusedWithThePlace) {
       {"/rows/1/false_lit_rate/hits", 1000000},
       {"/rows/1/method", 7},
       {"/rows/2/touching", nullptr},
+      {"/rows/3/question", "voxel-label"},
+      {"/rows/6/question", "shadow"},
+      {"/rows/6/wrong_face_rate/hits", 1000000},
+      {"/rows/6/touching/face", 1000000},
       {"/measured/ns_per_query/0/ns/median", -1},
       {"/measured/set_ups/1/seconds", -1},
   };
@@ -73,10 +84,39 @@ TEST(MeasuredScenes, OfBadFilesAreRefusedWithThePlace) {
     json bad = good;
     bad[json::json_pointer(where)] = value;
     folder.write("m.json", bad.dump());
-    EXPECT_THROW((void)reports::measure_section(folder.path()), scene::InputError) << where;
+    EXPECT_THROW((void)section_of(folder.path()), scene::InputError) << where;
   }
   folder.write("m.json", good.dump());
-  EXPECT_NO_THROW((void)reports::measure_section(folder.path()));
+  EXPECT_NO_THROW((void)section_of(folder.path()));
+}
+
+TEST(MeasuredScenes, AreSummedUpByTierAtTheTopOfThePage) {
+  const MeasuredFolder folder;
+  json result = json::parse(contents_of(folder / "m.json"));
+  const auto verdict = [&] {
+    folder.write("m.json", result.dump());
+    return reports::measure_verdict(reports::read_measure_files(folder.path()));
+  };
+  std::string text = verdict();
+  EXPECT_EQ(count(text, "Every promise held on scenes.</b> 6 rows"), 1u) << text;
+  // Two workloads of shadow and one of first-hit; the reference judges and is not counted.
+  EXPECT_EQ(count(text, "Exact methods</b> (<code>bvh-exact</code>): 0 wrong of 600 queries; 95 %: 0 to "),
+            1u)
+      << text;
+  EXPECT_EQ(count(text, "Exact methods</b> (<code>bvh-exact</code>): 0 wrong of 300 queries; 95 %: 0 to "),
+            1u)
+      << text;
+  EXPECT_EQ(count(text, "Naive methods</b>"), 2u) << text;
+  EXPECT_EQ(count(text, "<code>reference</code>"), 0u) << text;
+  for (json& row : result["rows"]) {
+    if (row["method"] != "bvh-exact" || row["question"] != "first-hit") continue;
+    row["unsound"] = 2;
+    row["promise_broken"] = true;
+  }
+  text = verdict();
+  EXPECT_EQ(count(text, "A promise was broken on a scene"), 1u) << text;
+  EXPECT_EQ(count(text, "<code>bvh-exact</code>): 2 wrong of 300 queries"), 1u) << text;
+  EXPECT_EQ(reports::measure_verdict({}), "");
 }
 
 TEST(MeasuredScenes, AreTextAndNothingElse) {
@@ -84,7 +124,10 @@ TEST(MeasuredScenes, AreTextAndNothingElse) {
   json named = json::parse(contents_of(folder / "m.json"));
   for (json& row : named["rows"]) row["scene"] = "<script>alert(1)</script>";
   folder.write("m.json", named.dump());
-  EXPECT_EQ(count(reports::measure_section(folder.path()), "<script>"), 0u);
+  for (json& row : named["rows"]) row["promise_broken"] = true;
+  folder.write("m.json", named.dump());
+  EXPECT_EQ(count(section_of(folder.path()), "<script>"), 0u);
+  EXPECT_EQ(count(reports::measure_verdict(reports::read_measure_files(folder.path())), "<script>"), 0u);
 }
 
 }  // namespace

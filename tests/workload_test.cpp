@@ -86,6 +86,49 @@ TEST(Workloads, EmitterAsksPointsOfPolygonLights) {
   EXPECT_TRUE(least < -0.8 && most > 0.8);  // all over it
 }
 
+TEST(RayWorkloads, HoldFloatsAndAreTheSameEachTime) {
+  for (const std::string& nff : {tests::kBallsNff, tests::kTrianglesNff, std::string("s 0 0 0 1\n")}) {
+    const scene::Scene scene = single_scene(nff);
+    for (const WorkloadKind& kind : ray_workload_kinds()) {
+      for (const std::size_t count : {1UL, 7UL, 1000UL}) {
+        const std::vector<scene::RayQuery> rays = record_rays(kind.name, scene, {count, 1});
+        EXPECT_LE(rays.size(), count) << kind.name;
+        EXPECT_GE(rays.size(), count == 1000 ? 300u : 1u) << kind.name;
+        EXPECT_EQ(rays, record_rays(kind.name, scene, {count, 1}));
+        for (const scene::RayQuery& ray : rays) {
+          for (const double c : ray.origin) ASSERT_TRUE(scene::is_float(c) && std::isfinite(c)) << kind.name;
+          for (const double c : ray.direction) ASSERT_TRUE(scene::is_float(c) && std::isfinite(c));
+          ASSERT_NE(ray.direction, (std::array<double, 3>{})) << kind.name;
+          ASSERT_TRUE(ray.own == scene::kNoFace || ray.own < scene.face_count()) << kind.name;
+        }
+      }
+      EXPECT_EQ(record_rays(kind.name, scene, {500, 1}) == record_rays(kind.name, scene, {500, 2}),
+                kind.name == "primary-rays");
+    }
+  }
+  EXPECT_TRUE(record_rays("hard-rays", scene::Scene{}, {10, 1}).empty());
+  EXPECT_THROW((void)record_rays("primary", single_scene(tests::kBallsNff), {}), std::runtime_error);
+  EXPECT_THROW((void)record("hard-rays", single_scene(tests::kBallsNff), {}), std::runtime_error);
+}
+
+TEST(RayWorkloads, HardOnesTieTouchRunAlongAxesAndLeaveSurfaces) {
+  const scene::Scene scene = single_scene(tests::kBallsNff);
+  std::size_t ties = 0, touching = 0, parallel = 0, own = 0, misses = 0;
+  for (const scene::RayQuery& ray : record_rays("hard-rays", scene, {4000, 1})) {
+    const exact::FirstHit hit = exact::first_hit_by_all_faces(scene, ray);
+    ties += hit.faces.size() > 1 ? 1 : 0;
+    touching += hit.touching ? 1 : 0;
+    misses += hit.faces.empty() ? 1 : 0;
+    parallel += std::count(ray.direction.begin(), ray.direction.end(), 0.0) == 2 ? 1 : 0;
+    own += ray.own != scene::kNoFace ? 1 : 0;
+  }
+  EXPECT_GE(ties, 400u);
+  EXPECT_GE(touching, 200u);
+  EXPECT_GE(parallel, 600u);
+  EXPECT_GE(own, 1000u);
+  EXPECT_GE(misses, 400u);
+}
+
 TEST(Workloads, ThatDoNotExistAreRefused) {
   EXPECT_THROW((void)record("primry", single_scene(tests::kBallsNff), {}), std::runtime_error);
 }
