@@ -3,11 +3,11 @@
 # report.sh: installs what is missing, builds, runs the main job, and writes build/report/index.html.
 # Debian 12, as root or with sudo; about six minutes the first time on two cores.
 #   TRIALS=1000000 ./report.sh     more trials a row (default 200000 for boxes, a quarter of it for balls)
-#   QUERIES=100000 ./report.sh     more queries a workload of a scene (default 10000)
+#   QUERIES=100000 ./report.sh     more queries a workload of a scene (default 5000)
 set -euo pipefail
 cd "$(dirname "$0")"
 trials=${TRIALS:-200000}
-queries=${QUERIES:-10000}
+queries=${QUERIES:-5000}
 
 cmake/install-packages.sh build
 # Other projects to compare with: the report does without those that can't be had.

@@ -86,9 +86,11 @@ std::string measure_verdict(std::span<const MeasureFile> files) {
   const bool rows =
       std::any_of(files.begin(), files.end(), [](const MeasureFile& file) { return !file.rows.empty(); });
   if (!rows) return "";
-  return promises_html(files) +
-         (questions.empty() ? ""
-                            : "<div class=\"headlines\" id=\"scene-verdicts\">\n" + questions + "</div>\n");
+  return promises_html(files) + (questions.empty()
+                                     ? ""
+                                     : "<p>All workloads of all scenes together, the hard ones "
+                                       "included.</p>\n<div class=\"headlines\" id=\"scene-verdicts\">\n" +
+                                           questions + "</div>\n");
 }
 
 }  // namespace gnomon::reports

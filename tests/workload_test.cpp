@@ -122,7 +122,7 @@ TEST(RayWorkloads, HardOnesTieTouchRunAlongAxesAndLeaveSurfaces) {
     parallel += std::count(ray.direction.begin(), ray.direction.end(), 0.0) == 2 ? 1 : 0;
     own += ray.own != scene::kNoFace ? 1 : 0;
   }
-  EXPECT_GE(ties, 400u);
+  EXPECT_GE(ties, 300u);
   EXPECT_GE(touching, 200u);
   EXPECT_GE(parallel, 600u);
   EXPECT_GE(own, 1000u);
