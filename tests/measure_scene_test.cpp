@@ -146,7 +146,8 @@ TEST(MeasureScene, FindsBrokenPromisesOfFirstHit) {
   EXPECT_FALSE(measure(hit_parrot<kUndecidedFace>(Promise::never_unsound), rays).promise_broken());
   EXPECT_TRUE(measure(hit_parrot<kUndecidedFace>(Promise::always_agrees), rays).promise_broken());
   // A number of no face is no answer.
-  const Measurement rejected = measure(hit_parrot<1000>(Promise::always_agrees), rays);
+  const SceneMethod method = hit_parrot<1000>(Promise::always_agrees);  // rows point to it
+  const Measurement rejected = measure(method, rays);
   EXPECT_TRUE(rejected.promise_broken());
   const FirstHitRow& row = rejected.hit_rows.at(0);
   EXPECT_EQ(FirstHitRow::column(row.matrix, FirstHitRow::rejected), row.queries());
