@@ -17,6 +17,7 @@
 #include "reports/environment.h"
 #include "reports/explain.h"
 #include "reports/html_report.h"
+#include "reports/peers/peers.h"
 #include "reports/progress_line.h"
 #include "reports/replay_json.h"
 #include "reports/verb_claims.h"
@@ -165,7 +166,8 @@ int run_replay(const std::vector<std::string>& files, const std::vector<std::str
     std::vector<scene::CorpusLine> lines = scene::read_corpus(file);
     corpus.insert(corpus.end(), std::make_move_iterator(lines.begin()), std::make_move_iterator(lines.end()));
   }
-  const fuzz::ReplayResult result = fuzz::replay(corpus, methods, plugins.load());
+  const fuzz::ReplayResult result =
+      fuzz::replay(corpus, methods, {plugins.load(), reports::all_scene_methods()});
   if (!json.empty()) scene::write_whole_file(json, reports::replay_json(result));
   for (const fuzz::ReplayLine& line : result.lines) {
     std::cout << line.where << " " << line.method << " " << line.answer << " " << line.reference << " "
@@ -299,7 +301,8 @@ int main(int argc, char** argv) {
   bool list_as_json = false;
   PluginArguments plugins;  // of the verb that runs
 
-  CLI::App* list = app.add_subcommand("list", "Questions, methods with their promises, distributions, built-in scenes");
+  CLI::App* list =
+      app.add_subcommand("list", "Questions, methods with their promises, distributions, built-in scenes");
   list->add_flag("--json", list_as_json, "as JSON");
   plugins.add_to(list);
   list->final_callback([&] { run = [&] { return run_list(list_as_json, plugins); }; });
@@ -311,8 +314,12 @@ int main(int argc, char** argv) {
   replay->add_option("--json", replay_json, "result file");
   plugins.add_to(replay);
   replay->footer(
-      "Prints FILE:LINE method answer reference verdict for each case and method.\n"
-      "Example: gnomon replay tests/corpus/shaft.txt --method exact");
+      "Prints FILE:LINE method answer reference verdict for each case and method of its question: "
+      "shaft-box,\n"
+      "shaft-sphere or shadow, in any mixture.\n"
+      "Examples:\n"
+      "  gnomon replay tests/corpus/shaft.txt --method exact\n"
+      "  gnomon replay tests/corpus/shadow_named.txt --json named.json");
   replay->final_callback(
       [&] { run = [&] { return run_replay(replay_files, replay_methods, replay_json, plugins); }; });
 
@@ -322,8 +329,11 @@ int main(int argc, char** argv) {
   explain->add_option("--svg", explain_svg, "write the picture as SVG too");
   plugins.add_to(explain);
   explain->footer(
-      "Example: gnomon explain results/witnesses/shaft-box.naive-f32.false-cull.offset.f32.1.123.txt --svg "
-      "case.svg");
+      "Shafts are drawn, shadow cases told in words alone.\n"
+      "Examples:\n"
+      "  gnomon explain results/witnesses/shaft-box.naive-f32.false-cull.offset.f32.1.123.txt --svg "
+      "case.svg\n"
+      "  gnomon explain tests/corpus/shadow_named.txt");
   explain->final_callback([&] { run = [&] { return run_explain(explain_file, explain_svg, plugins); }; });
 
   CLI::App* report = app.add_subcommand("report", "Result files to one self-contained HTML page");

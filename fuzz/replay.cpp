@@ -5,6 +5,7 @@
 
 #include "fuzz/generator.h"
 #include "fuzz/method_failure.h"
+#include "fuzz/replay_shadow.h"
 #include "fuzz/witness.h"
 #include "scene/line_reader.h"
 
@@ -20,15 +21,10 @@ typename Q::Case parse_case(const scene::CorpusLine& line) {
   return c;
 }
 
-bool is_broken(Promise promise, Verdict verdict) {
-  if (promise == Promise::none || verdict == Verdict::agree || verdict == Verdict::rejected) return false;
-  return verdict == Verdict::unsound || promise == Promise::always_agrees;
-}
-
 /// What a replay was asked for: methods by name, all when there are none; without those that have failed.
 struct Asked {
   const std::vector<std::string>& names;
-  const Plugins* plugins;
+  const ReplayRows& rows;
   std::vector<std::string_view> retired{};
 
   [[nodiscard]] bool wants(std::string_view name) const {
@@ -51,7 +47,7 @@ void replay_line(const scene::CorpusLine& line, Asked& asked, ReplayResult& resu
     ++result.stated;
     if (*line.answer != truth) result.wrong_answers.push_back({where, *line.answer, std::string(truth)});
   }
-  for (const Method<Q>* method : all_methods<Q>(asked.plugins)) {
+  for (const Method<Q>* method : all_methods<Q>(asked.rows.plugins)) {
     if (!asked.wants(method->name)) continue;
     try {
       const Trial trial = try_case(*method, scalar, c);
@@ -66,34 +62,56 @@ void replay_line(const scene::CorpusLine& line, Asked& asked, ReplayResult& resu
   }
 }
 
+std::vector<const SceneMethod*> wanted_scene_methods(const Asked& asked) {
+  std::vector<const SceneMethod*> wanted;
+  for (const SceneMethod& method : asked.rows.scene_methods) {
+    if (asked.wants(method.name)) wanted.push_back(&method);
+  }
+  return wanted;
+}
+
 template <class Q>
 bool has_method(const std::string& name, const Plugins* plugins) {
   const std::vector<const Method<Q>*> all = all_methods<Q>(plugins);
   return std::any_of(all.begin(), all.end(), [&](const Method<Q>* m) { return m->name == name; });
 }
 
+bool is_known(const std::string& name, const ReplayRows& rows) {
+  return has_method<ShaftBoxQuestion>(name, rows.plugins) ||
+         has_method<ShaftBallQuestion>(name, rows.plugins) ||
+         std::ranges::any_of(rows.scene_methods, [&](const SceneMethod& m) { return m.name == name; });
+}
+
 }  // namespace
+
+bool is_broken(Promise promise, Verdict verdict) {
+  if (promise == Promise::none || verdict == Verdict::agree || verdict == Verdict::rejected) return false;
+  return verdict == Verdict::unsound || promise == Promise::always_agrees;
+}
 
 bool ReplayResult::promise_broken() const {
   return std::any_of(lines.begin(), lines.end(), [](const ReplayLine& line) { return line.promise_broken; });
 }
 
 ReplayResult replay(const std::vector<scene::CorpusLine>& corpus, const std::vector<std::string>& methods,
-                    const Plugins* plugins) {
+                    const ReplayRows& rows) {
   for (const std::string& name : methods) {
-    if (!has_method<ShaftBoxQuestion>(name, plugins) && !has_method<ShaftBallQuestion>(name, plugins)) {
+    if (!is_known(name, rows)) {
       throw UsageError("--method: expected a method that `gnomon list` shows, found \"" + name + "\"");
     }
   }
   ReplayResult result;
-  Asked asked{methods, plugins};
+  Asked asked{methods, rows};
+  const std::vector<const SceneMethod*> scene_methods = wanted_scene_methods(asked);
   for (const scene::CorpusLine& line : corpus) {
     if (line.question == ShaftBoxQuestion::id) {
       replay_line<ShaftBoxQuestion>(line, asked, result);
     } else if (line.question == ShaftBallQuestion::id) {
       replay_line<ShaftBallQuestion>(line, asked, result);
+    } else if (line.question == kShadowQuestion) {
+      replay_shadow(line, scene_methods, result);
     } else {
-      line.fail("a question (shaft-box, shaft-sphere)", scene::in_quotes(line.question));
+      line.fail("a question (shaft-box, shaft-sphere, shadow)", scene::in_quotes(line.question));
     }
   }
   return result;

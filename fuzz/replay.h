@@ -2,10 +2,13 @@
 // Replaying text corpora and witness files.
 #pragma once
 
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fuzz/plugin_host.h"
+#include "fuzz/scene_method.h"
 #include "scene/corpus.h"
 
 namespace gnomon::fuzz {
@@ -31,11 +34,21 @@ struct ReplayResult {
   [[nodiscard]] bool promise_broken() const;
 };
 
-/// Runs the named methods (all when empty) on every case. Methods of a precision that a case does not fit
-/// reject it; float cases run in the float form. A named method must exist for at least one of the questions
-/// in the corpus. Throws scene::InputError for lines that are no cases, UsageError for methods that no
-/// question of the corpus has.
+/// How corpora call the question of scene/shadow_case.h.
+inline constexpr std::string_view kShadowQuestion = "shadow";
+
+/// Rows beside the shafts' own registry: plug-ins' for shafts, and all those for `shadow`, which other
+/// projects' may be among.
+struct ReplayRows {
+  const Plugins* plugins = nullptr;
+  std::span<const SceneMethod> scene_methods = fuzz::scene_methods();
+};
+
+/// Runs the named methods (all when empty) on every case of their questions. Methods of a precision that a
+/// case does not fit, or that don't know its faces, reject it; shafts of floats run in the float form. A
+/// named method must exist for some question. Throws scene::InputError for lines that are no cases,
+/// UsageError for unknown methods, std::logic_error should two exact references differ.
 [[nodiscard]] ReplayResult replay(const std::vector<scene::CorpusLine>& corpus,
-                                  const std::vector<std::string>& methods, const Plugins* plugins = nullptr);
+                                  const std::vector<std::string>& methods, const ReplayRows& rows = {});
 
 }  // namespace gnomon::fuzz

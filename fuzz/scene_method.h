@@ -31,7 +31,8 @@ struct TestCounts {
   std::uint64_t exact = 0;  ///< of those: handed to an exact predicate
 };
 
-/// A method made ready for a scene. Several threads may ask it at once. All numbers of queries are floats.
+/// A method made ready for a scene. Several threads may ask it at once. All numbers of queries are floats,
+/// unless the method takes doubles.
 class SceneCaster {
  public:
   SceneCaster() = default;
@@ -67,9 +68,11 @@ struct SceneMethod {
   /// Looks at every face for every query: left out by default where that takes too long.
   bool every_face = false;
   bool has_balls = true;  ///< answers for scenes with balls
-  /// Makes the structure for a scene, which must outlive it and have floats alone (scene/single.h). Throws
-  /// std::runtime_error where it can't.
+  /// Makes the structure for a scene, which must outlive it and have floats alone (scene/single.h) unless the
+  /// method takes doubles. Throws std::runtime_error where it can't.
   std::unique_ptr<SceneCaster> (*make)(const scene::Scene& scene) = nullptr;
+  /// Takes scenes and queries whose numbers are doubles, not floats alone.
+  bool takes_doubles = false;
 };
 
 /// The rows of this project, in the order of reports.

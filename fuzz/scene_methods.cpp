@@ -17,10 +17,10 @@ const SceneMethod kRows[] = {
     {"bvh-certified-f32", "certified", Promise::never_unsound,
      "all finite floats; decides below 2^40 and above about 1e-9 units",
      "the same kernels on error thresholds: right or undecided", false, true, make_certified_hierarchy},
-    {"bvh-exact", "exact", Promise::always_agrees, "all finite numbers",
+    {"bvh-exact", "exact", Promise::always_agrees, kAllFloats,
      "certified, the faces left open by exact predicates", false, true, make_exact_hierarchy},
     {"reference", "reference", Promise::always_agrees, "all finite numbers",
-     "what judges the others: exact, and tells what is touching", false, true, make_reference},
+     "what judges the others: exact, and tells what is touching", false, true, make_reference, true},
 };
 
 }  // namespace

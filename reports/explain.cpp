@@ -7,6 +7,7 @@
 
 #include "fuzz/replay.h"
 #include "fuzz/shaft_questions.h"
+#include "reports/explain_shadow.h"
 #include "reports/picture.h"
 #include "reports/text_picture.h"
 #include "scene/float_text.h"
@@ -67,7 +68,7 @@ bool is_box(const scene::CorpusLine& line) {
 
 std::vector<double> numbers_of_line(const scene::CorpusLine& line) {
   if (!is_box(line) && line.question != fuzz::ShaftBallQuestion::id) {
-    line.fail("a question (shaft-box, shaft-sphere)", "\"" + line.question + "\"");
+    line.fail("a question (shaft-box, shaft-sphere, shadow)", "\"" + line.question + "\"");
   }
   return line.numbers(is_box(line) ? fuzz::ShaftBoxQuestion::number_count
                                    : fuzz::ShaftBallQuestion::number_count);
@@ -76,9 +77,10 @@ std::vector<double> numbers_of_line(const scene::CorpusLine& line) {
 }  // namespace
 
 std::string explain(const scene::CorpusLine& line, const fuzz::Plugins* plugins) {
+  if (line.question == fuzz::kShadowQuestion) return explain_shadow(line);
   const std::vector<double> numbers = numbers_of_line(line);
   const std::span<const double> all(numbers);
-  const fuzz::ReplayResult replayed = fuzz::replay({line}, {}, plugins);  // also refuses what is no case
+  const fuzz::ReplayResult replayed = fuzz::replay({line}, {}, {plugins});  // also refuses what is no case
   const bool single = std::all_of(numbers.begin(), numbers.end(), scene::is_float);
 
   std::string text = fmt::format("{}:{}: {} ({})\n", line.file, line.line, line.question,
@@ -108,6 +110,9 @@ std::string explain(const scene::CorpusLine& line, const fuzz::Plugins* plugins)
 }
 
 std::string explain_svg(const scene::CorpusLine& line) {
+  if (line.question == fuzz::kShadowQuestion) {
+    line.fail("a shaft case for a picture", "\"" + line.question + "\"");
+  }
   const std::vector<double> numbers = numbers_of_line(line);
   const bool single = std::all_of(numbers.begin(), numbers.end(), scene::is_float);
   return case_picture_svg(line.question, numbers, single ? "f32" : "f64");

@@ -150,7 +150,7 @@ TEST_F(BadInput, CorporaNameFileLineAndWhatWasExpected) {
              {{verb, "radius.txt"}, "radius.txt:1: expected a ball with finite centre and radius >= 0"},
              {{verb, "few.txt"}, "few.txt:1: expected 16 numbers for shaft-sphere, found 15"},
              {{verb, "many.txt"}, "many.txt:1: expected 18 numbers for shaft-box, found 19"},
-             {{verb, "question.txt"}, "question.txt:1: expected a question (shaft-box, shaft-sphere)"},
+             {{verb, "question.txt"}, "question.txt:1: expected a question (shaft-box, shaft-sphere, shadow)"},
              {{verb, "answer.txt"}, "answer.txt:1: expected outside, overlap or inside"},
              {{verb, "arrow.txt"}, "arrow.txt:1: expected an answer after \"->\""},
              {{verb, "escape.txt"}, "escape.txt:1: expected "},
