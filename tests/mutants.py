@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Breaks fast/ on purpose, one change at a time, and shows that the tests notice.
+"""Breaks fast/ and exact/ on purpose, one change at a time, and shows that the tests notice.
 
     tests/mutants.py --all       every mutant (about a quarter of an hour)
     tests/mutants.py --subset    the ones that CI runs
@@ -9,7 +9,7 @@
     tests/mutants.py --family constant --filter 'ProofsConstants*'
     tests/mutants.py --list
 
-Needs the release preset to be built. The tree is left alone: each mutant is a copy of the fast/ folder, compiled and
+Needs the release preset to be built. The tree is left alone: each mutant is a copy of its folder, compiled and
 linked with the tests' own objects in place of the library's. A mutant is killed when the tests fail, crash or run over
 time. Exit status 1 when one survives that is not listed in tests/mutants.txt as equivalent, with its proof; 2 when a
 mutant no longer applies (its text has to occur exactly once).
@@ -28,9 +28,9 @@ import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build" / "release"
-# Tests that say nothing about fast/, or run the unmutated binary.
+# Tests that say nothing about fast/ and exact/, or run the unmutated binary.
 LEFT_OUT = ("CommandLine*:BadInput*:*Plugin*:*Mesh*:Read*:*Report*:*Picture*:*Html*:*BoundingHierarchy*:*Corpus*:*FloatText*:"
-            "*AtomicFile*:*Random*:Ledger*:Merge*:Compare*:ShardSet*")
+            "*AtomicFile*:*Random*:Ledger*:Merge*:Compare*:ShardSet*:ShadowCommands*")
 SECONDS = 240
 
 
@@ -86,20 +86,21 @@ def run(mutant, link, tests_of, show=False):
     started = time.time()
     with tempfile.TemporaryDirectory(prefix="gnomon-mutant-") as folder:
         work = pathlib.Path(folder)
-        shutil.copytree(ROOT / "fast", work / "fast")
+        layer = mutant.file.split("/")[0]
+        shutil.copytree(ROOT / layer, work / layer)
         target = work / mutant.file
         target.write_text(apply(mutant, target.read_text()))
         is_header, is_build_file = mutant.file.endswith(".h"), target.name == "CMakeLists.txt"
-        sources = sorted((work / "fast").glob("*.cpp")) if is_header or is_build_file else [target]
+        sources = sorted((work / layer).glob("*.cpp")) if is_header or is_build_file else [target]
         # The library's own options, as the mutant has them (its definitions are for sanitizers).
-        options = re.findall(r"^target_compile_options\(gnomon_fast PUBLIC ([^)]*)\)",
-                             (work / "fast" / "CMakeLists.txt").read_text(), re.MULTILINE)
+        options = re.findall(rf"^target_compile_options\(gnomon_{layer} (?:PUBLIC|PRIVATE) ([^)]*)\)",
+                             (work / layer / "CMakeLists.txt").read_text(), re.MULTILINE)
         if is_header:
             name = pathlib.Path(mutant.file).name
             users = {name}
             while True:  # sources that include the header, over other headers too
-                more = {p.name for p in (work / "fast").iterdir() if p.suffix in (".h", ".cpp")
-                        and any(f'"fast/{u}"' in p.read_text() for u in users)}
+                more = {p.name for p in (work / layer).iterdir() if p.suffix in (".h", ".cpp")
+                        and any(f'"{layer}/{u}"' in p.read_text() for u in users)}
                 if more <= users:
                     break
                 users |= more

@@ -140,7 +140,7 @@ TEST(ShadowReplay, NamesWrongAnswersAndBadLines) {
 
 /// Errors of methods that promise none depend on versions and processors: they are printed, not demanded. Our
 /// own naive rows are the same everywhere.
-TEST(ShadowReplay, InputsBehindReportsAreHardAndDecided) {
+TEST(ShadowReplay, NamedInputsAreHardAndDecided) {
   const std::vector<scene::CorpusLine> corpus = scene::read_corpus(kNamed);
   EXPECT_GE(corpus.size(), 25u);
   const ReplayResult result = replay_all(corpus);

@@ -79,9 +79,9 @@ class SceneDecoder {
     if (how % 3 == 0 && !points_.empty()) return static_cast<std::uint32_t>(how / 3 % points_.size());
     const Point p = point();
     const auto same = std::find(points_.begin(), points_.end(), p);  // equal points share an index
-    if (same == points_.end()) points_.push_back(p);
-    return static_cast<std::uint32_t>(
-        same == points_.end() ? points_.size() - 1 : static_cast<std::size_t>(same - points_.begin()));
+    const auto index = static_cast<std::uint32_t>(same - points_.begin());
+    if (index == points_.size()) points_.push_back(p);
+    return index;
   }
 
   void add_face(unsigned how) {
