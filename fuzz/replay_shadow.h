@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Replaying lines of the question `shadow`. Internal to fuzz/replay.cpp.
+// Replaying lines of the question `shadow`, and what methods may be held to.
 #pragma once
 
 #include <span>
