@@ -97,9 +97,9 @@ class Builder {
     fill(0, range_of(0, static_cast<std::uint32_t>(count)), 0);
     built.nodes.shrink_to_fit();
     if (is_in_floats()) {
-      gather(built.float_faces);
+      gather(built.float_leaves);
     } else {
-      gather(built.double_faces);
+      gather(built.double_leaves);
     }
     return built;
   }
@@ -122,14 +122,14 @@ class Builder {
     return range;
   }
 
-  /// Fills a node with a range, split into up to four by the largest boxes first.
+  /// Fills a node with a range, split into up to eight by the largest boxes first.
   void fill(std::uint32_t node, const Range& whole, std::size_t level) {
-    std::array<Range, 4> parts{whole};
+    std::array<Range, kNodeLanes> parts{whole};
     std::size_t count = 1;
-    while (count < 4) {
+    while (count < kNodeLanes) {
       std::size_t widest = count;
       for (std::size_t i = 0; i < count; ++i) {
-        if (parts[i].size() <= kMostInLeaf) continue;
+        if (parts[i].size() <= kLeafLanes) continue;
         if (widest == count || parts[i].box.area() > parts[widest].box.area()) widest = i;
       }
       if (widest == count) break;
@@ -144,13 +144,14 @@ class Builder {
         here.sides[2 * axis][i] = parts[i].box.lo[axis];
         here.sides[2 * axis + 1][i] = parts[i].box.hi[axis];
       }
-      if (parts[i].size() <= kMostInLeaf) {
-        here.first[i] = parts[i].begin;
-        here.count[i] = static_cast<std::uint8_t>(parts[i].size());
+      if (parts[i].size() <= kLeafLanes) {
+        here.leaves = static_cast<std::uint8_t>(here.leaves | (1u << i));
+        here.child[i] = static_cast<std::uint32_t>(leaves_.size());
+        leaves_.push_back({parts[i].begin, parts[i].end});
         continue;
       }
       const auto child = static_cast<std::uint32_t>(nodes_->size());
-      here.first[i] = child;
+      here.child[i] = child;
       nodes_->emplace_back();
       fill(child, parts[i], level + 1);
     }
@@ -191,6 +192,11 @@ class Builder {
     return std::min(kBins - 1, static_cast<int>((centre - lo) / width * kBins));
   }
 
+  /// What faces cost: those of a leaf are tested all at once.
+  static float leaves_of(std::uint32_t count) {
+    return static_cast<float>((count + kLeafLanes - 1) / kLeafLanes);
+  }
+
   [[nodiscard]] Split cheapest(const Range& range, const FloatBox& centres) const {
     Split best;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -210,14 +216,14 @@ class Builder {
       for (std::size_t bin = kBins - 1; bin > 0; --bin) {
         box.add(boxes[bin]);
         count += counts[bin];
-        right[bin] = count == 0 ? kInfinity : box.area() * static_cast<float>(count);
+        right[bin] = count == 0 ? kInfinity : box.area() * leaves_of(count);
       }
       box = {};
       count = 0;
       for (std::size_t bin = 1; bin < kBins; ++bin) {
         box.add(boxes[bin - 1]);
         count += counts[bin - 1];
-        const float cost = box.area() * static_cast<float>(count) + right[bin];
+        const float cost = box.area() * leaves_of(count) + right[bin];
         if (count > 0 && cost < best.cost) best = {axis, static_cast<int>(bin), cost};
       }
     }
@@ -237,26 +243,40 @@ class Builder {
   }
 
   template <class F>
-  void gather(std::vector<LeafFace<F>>& faces) const {
-    faces.reserve(order_.size());
-    for (const std::uint32_t face : order_) {
-      LeafFace<F> leaf;
-      leaf.face = face;
-      if (face < scene_.triangles.size()) {
-        for (std::size_t i = 0; i < 9; ++i) leaf.c[i] = static_cast<F>(scene_.corner(face, i / 3)[i % 3]);
-      } else {
-        const Ball<double>& ball = scene_.balls[face - scene_.triangles.size()];
-        for (std::size_t i = 0; i < 3; ++i) leaf.c[i] = static_cast<F>(ball.centre[i]);
-        leaf.c[3] = static_cast<F>(ball.radius);
-      }
-      faces.push_back(leaf);
+  void gather(std::vector<Leaf<F>>& leaves) const {
+    leaves.reserve(leaves_.size());
+    for (const LeafRange& range : leaves_) {
+      Leaf<F> leaf;
+      for (std::uint32_t i = range.begin; i < range.end; ++i) put(leaf, i - range.begin, order_[i]);
+      leaves.push_back(leaf);
     }
   }
+
+  template <class F>
+  void put(Leaf<F>& leaf, std::size_t lane, std::uint32_t face) const {
+    const auto bit = static_cast<std::uint8_t>(1u << lane);
+    leaf.face[lane] = face;
+    if (face < scene_.triangles.size()) {
+      leaf.triangles = static_cast<std::uint8_t>(leaf.triangles | bit);
+      for (std::size_t i = 0; i < 9; ++i) leaf.c[i][lane] = static_cast<F>(scene_.corner(face, i / 3)[i % 3]);
+    } else {
+      leaf.balls = static_cast<std::uint8_t>(leaf.balls | bit);
+      const Ball<double>& ball = scene_.balls[face - scene_.triangles.size()];
+      for (std::size_t i = 0; i < 3; ++i) leaf.c[i][lane] = static_cast<F>(ball.centre[i]);
+      leaf.c[3][lane] = static_cast<F>(ball.radius);
+    }
+  }
+
+  /// The faces of a leaf, in order_.
+  struct LeafRange {
+    std::uint32_t begin, end;
+  };
 
   const Scene& scene_;
   Frame frame_;
   std::vector<FloatBox> boxes_;
   std::vector<std::uint32_t> order_;
+  std::vector<LeafRange> leaves_;
   std::vector<WideNode>* nodes_ = nullptr;
 };
 

@@ -4,13 +4,12 @@
 
 #include <vector>
 
+#include "exact/frame.h"
 #include "exact/wide_node.h"
 #include "scene/scene.h"
 
 namespace gnomon::exact {
 
-/// No leaf has more faces.
-inline constexpr std::uint32_t kMostInLeaf = 4;
 /// No path from the root has more nodes.
 inline constexpr std::size_t kMostLevels = 80;
 
@@ -18,15 +17,15 @@ struct BuiltHierarchy {
   Frame frame;
   std::vector<WideNode> nodes;  ///< the root first; none for a scene without faces
   /// One of them holds the faces, the other one nothing.
-  std::vector<LeafFace<float>> float_faces;
-  std::vector<LeafFace<double>> double_faces;
+  std::vector<Leaf<float>> float_leaves;
+  std::vector<Leaf<double>> double_leaves;
 
   template <class F>
-  [[nodiscard]] const LeafFace<F>* faces() const {
+  [[nodiscard]] const Leaf<F>* leaves() const {
     if constexpr (sizeof(F) == sizeof(float)) {
-      return float_faces.data();
+      return float_leaves.data();
     } else {
-      return double_faces.data();
+      return double_leaves.data();
     }
   }
 };

@@ -6,6 +6,8 @@
 
 #include <thread>
 
+#include "exact/hierarchy_build.h"
+#include "exact/hierarchy_walk.h"
 #include "tests/scene_cases.h"
 
 namespace gnomon::tests {
@@ -74,6 +76,34 @@ TEST(ExactHierarchy, RandomScenesAreAnsweredAsFaceByFace) {
   const auto least = static_cast<std::size_t>(affordable(300));
   EXPECT_GE(mix.lit, least);
   EXPECT_GE(mix.shadowed, least);
+  EXPECT_GE(mix.hits, least);
+}
+
+/// Hierarchy takes the best instructions that the processor has; these are what it takes on others.
+TEST(ExactHierarchy, BaselineInstructionsAnswerAsFaceByFace) {
+  Random random(31);
+  Mix mix;
+  for (int trial = 0; trial < affordable(120); ++trial) {
+    const bool grid = random.chance(50);
+    const int faces = random.between(1, 200), balls = random.chance(50) ? 0 : random.below(faces + 1);
+    const Scene scene = random_scene(random, {faces - balls, balls, grid}, Placement());
+    const exact::BuiltHierarchy built = exact::build_hierarchy(scene);
+    for (int i = 0; i < 12; ++i) {
+      const ShadowQuery q = random_query(random, scene, grid, Placement());
+      const ShadowTruth truth = exact::shadow_by_all_faces(scene, q);
+      ASSERT_EQ(exact::baseline::shadow(scene, built, q, nullptr), truth) << corpus_text_of(scene, q);
+      const RayQuery ray = random_ray(random, scene, grid, Placement());
+      const FirstHit hit = exact::first_hit_by_all_faces(scene, ray);
+      ASSERT_EQ(exact::baseline::first_hit(scene, built, ray, nullptr), hit)
+          << corpus_text_of(scene, {ray.origin, ray.direction, ray.own});
+      mix.shadowed += truth.answer == Shadow::shadowed;
+      mix.touching += truth.touching;
+      mix.hits += !hit.faces.empty();
+    }
+  }
+  const auto least = static_cast<std::size_t>(affordable(100));
+  EXPECT_GE(mix.shadowed, least);
+  EXPECT_GE(mix.touching, least);
   EXPECT_GE(mix.hits, least);
 }
 
