@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 #include <span>
+#include <vector>
 
 namespace gnomon::exact {
 
@@ -243,7 +244,7 @@ class Builder {
   }
 
   template <class F>
-  void gather(std::vector<Leaf<F>>& leaves) const {
+  void gather(LargeVector<Leaf<F>>& leaves) const {
     leaves.reserve(leaves_.size());
     for (const LeafRange& range : leaves_) {
       Leaf<F> leaf;
@@ -277,7 +278,7 @@ class Builder {
   std::vector<FloatBox> boxes_;
   std::vector<std::uint32_t> order_;
   std::vector<LeafRange> leaves_;
-  std::vector<WideNode>* nodes_ = nullptr;
+  LargeVector<WideNode>* nodes_ = nullptr;
 };
 
 }  // namespace

@@ -2,9 +2,8 @@
 // Builds the nodes of exact/hierarchy.h. Internal to exact/.
 #pragma once
 
-#include <vector>
-
 #include "exact/frame.h"
+#include "exact/large_pages.h"
 #include "exact/wide_node.h"
 #include "scene/scene.h"
 
@@ -15,10 +14,10 @@ inline constexpr std::size_t kMostLevels = 80;
 
 struct BuiltHierarchy {
   Frame frame;
-  std::vector<WideNode> nodes;  ///< the root first; none for a scene without faces
+  LargeVector<WideNode> nodes;  ///< the root first; none for a scene without faces
   /// One of them holds the faces, the other one nothing.
-  std::vector<Leaf<float>> float_leaves;
-  std::vector<Leaf<double>> double_leaves;
+  LargeVector<Leaf<float>> float_leaves;
+  LargeVector<Leaf<double>> double_leaves;
 
   template <class F>
   [[nodiscard]] const Leaf<F>* leaves() const {

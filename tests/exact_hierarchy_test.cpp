@@ -107,6 +107,17 @@ TEST(ExactHierarchy, BaselineInstructionsAnswerAsFaceByFace) {
   EXPECT_GE(mix.hits, least);
 }
 
+/// Arrays of a size that has large pages asked for, and of one that has not.
+TEST(ExactHierarchy, LargePagesHoldWhatOthersHold) {
+  for (const std::size_t count : {std::size_t{3}, std::size_t{50000}}) {
+    exact::LargeVector<exact::Leaf<float>> leaves(count / 3);
+    for (std::uint32_t i = 0; leaves.size() < count; ++i) leaves.emplace_back().face[0] = i;
+    leaves.shrink_to_fit();
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(leaves.data()) % alignof(exact::Leaf<float>), 0u);
+    EXPECT_EQ(leaves[count - 1].face[0], count - count / 3 - 1);
+  }
+}
+
 /// Balls beside which a path passes within a rounding error, triangles that it passes through near an edge, a
 /// vertex, or with an end near the plane: what plain doubles can't decide.
 TEST(ExactHierarchy, PathsThatNearlyTouch) {
