@@ -244,7 +244,7 @@ class Builder {
   }
 
   template <class F>
-  void gather(LargeVector<Leaf<F>>& leaves) const {
+  void gather(scene::LargeVector<Leaf<F>>& leaves) const {
     leaves.reserve(leaves_.size());
     for (const LeafRange& range : leaves_) {
       Leaf<F> leaf;
@@ -278,7 +278,7 @@ class Builder {
   std::vector<FloatBox> boxes_;
   std::vector<std::uint32_t> order_;
   std::vector<LeafRange> leaves_;
-  LargeVector<WideNode>* nodes_ = nullptr;
+  scene::LargeVector<WideNode>* nodes_ = nullptr;
 };
 
 }  // namespace

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "exact/frame.h"
-#include "exact/large_pages.h"
 #include "exact/wide_node.h"
+#include "scene/large_pages.h"
 #include "scene/scene.h"
 
 namespace gnomon::exact {
@@ -14,10 +14,10 @@ inline constexpr std::size_t kMostLevels = 80;
 
 struct BuiltHierarchy {
   Frame frame;
-  LargeVector<WideNode> nodes;  ///< the root first; none for a scene without faces
+  scene::LargeVector<WideNode> nodes;  ///< the root first; none for a scene without faces
   /// One of them holds the faces, the other one nothing.
-  LargeVector<Leaf<float>> float_leaves;
-  LargeVector<Leaf<double>> double_leaves;
+  scene::LargeVector<Leaf<float>> float_leaves;
+  scene::LargeVector<Leaf<double>> double_leaves;
 
   template <class F>
   [[nodiscard]] const Leaf<F>* leaves() const {

@@ -5,15 +5,16 @@
 #include <vector>
 
 #include "fast/hierarchy_layout.h"
+#include "scene/large_pages.h"
 #include "scene/scene.h"
 
 namespace gnomon::fast {
 
 /// What a Hierarchy holds: the root is node 0, children come after their parents. No nodes without faces.
 struct HierarchyArrays {
-  std::vector<WideNode> nodes;
-  std::vector<TriangleBlock> triangles;
-  std::vector<BallBlock> balls;
+  scene::LargeVector<WideNode> nodes;
+  scene::LargeVector<TriangleBlock> triangles;
+  scene::LargeVector<BallBlock> balls;
   std::vector<FacePlace> places;  ///< of every face of the scene
 };
 

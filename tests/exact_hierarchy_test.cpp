@@ -110,7 +110,7 @@ TEST(ExactHierarchy, BaselineInstructionsAnswerAsFaceByFace) {
 /// Arrays of a size that has large pages asked for, and of one that has not.
 TEST(ExactHierarchy, LargePagesHoldWhatOthersHold) {
   for (const std::size_t count : {std::size_t{3}, std::size_t{50000}}) {
-    exact::LargeVector<exact::Leaf<float>> leaves(count / 3);
+    scene::LargeVector<exact::Leaf<float>> leaves(count / 3);
     for (std::uint32_t i = 0; leaves.size() < count; ++i) leaves.emplace_back().face[0] = i;
     leaves.shrink_to_fit();
     EXPECT_EQ(reinterpret_cast<std::uintptr_t>(leaves.data()) % alignof(exact::Leaf<float>), 0u);

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-// Memory that is read all over. Internal to exact/.
+// SPDX-License-Identifier: MIT
+// Memory that is read all over.
 #pragma once
 
 #ifdef __linux__
@@ -11,7 +11,7 @@
 #include <new>
 #include <vector>
 
-namespace gnomon::exact {
+namespace gnomon::scene {
 
 /// Asks for large pages where there is much: what is read here and there then misses fewer addresses'
 /// translations. The system may refuse, which costs only time.
@@ -52,4 +52,4 @@ struct LargePageAllocator {
 template <class T>
 using LargeVector = std::vector<T, LargePageAllocator<T>>;
 
-}  // namespace gnomon::exact
+}  // namespace gnomon::scene
