@@ -62,15 +62,23 @@ struct Beam {
   float largest;                                   ///< the largest magnitude of the direction
   float spread;  ///< min(2 largest, sum of magnitudes): at least |d_j| + |d_k| for all j != k
 
-  /// `origin` and `direction` must be set.
-  template <bool kCertified>
-  void prepare() {
+  /// `origin` and `direction` must be set: sets `largest` and `spread`, all that tests of single faces need.
+  void measure() {
     float sum = 0;
     largest = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const float d = direction[k], magnitude = d < 0 ? -d : d;
+    for (const float d : direction) {
+      const float magnitude = d < 0 ? -d : d;
       largest = magnitude > largest ? magnitude : largest;
       sum += magnitude;
+    }
+    spread = sum < 2 * largest ? sum : 2 * largest;
+  }
+
+  /// Sets what tests of boxes need.
+  template <bool kCertified>
+  void prepare() {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const float d = direction[k], magnitude = d < 0 ? -d : d;
       const bool up = !(d < 0) || (kCertified && magnitude < kLeastDirection);
       near_row[k] = static_cast<std::uint32_t>(up ? k : k + 3);
       far_row[k] = static_cast<std::uint32_t>(up ? k + 3 : k);
@@ -85,7 +93,6 @@ struct Beam {
         near_inverse[k] = far_inverse[k] = 1 / (d == 0 ? 0.0f : d);
       }
     }
-    spread = sum < 2 * largest ? sum : 2 * largest;
   }
 };
 

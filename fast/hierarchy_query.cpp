@@ -75,23 +75,11 @@ int way_into(const BallBlock& block, std::size_t lane, const Beam& beam) {
   return sum > error ? 1 : sum < -error ? -1 : 0;
 }
 
+/// The own face's rules; true when they know the answer. `beam` must be measured.
 template <class Tier>
-bool begin_shadow(const HierarchyView& hierarchy, const scene::ShadowQuery& query, Beam& beam,
-                  ShadowCandidates& candidates, ShadowAnswer& answer) {
+bool own_decides(const HierarchyView& hierarchy, const scene::ShadowQuery& query, const Beam& beam,
+                 ShadowCandidates& candidates, ShadowAnswer& answer) {
   const HierarchyArrays& arrays = hierarchy.arrays;
-  if (Tier::kCertified && !(hierarchy.in_domain && in_certified_domain(query.point, query.light))) {
-    answer = candidates.ask_about_all();
-    return true;
-  }
-  bool empty = true;
-  for (std::size_t k = 0; k < 3; ++k) {
-    beam.origin[k] = static_cast<float>(query.point[k]);
-    beam.direction[k] = static_cast<float>(query.light[k]) - beam.origin[k];
-    empty &= beam.direction[k] == 0;
-  }
-  answer = ShadowAnswer::lit;
-  if (empty || arrays.nodes.empty()) return true;
-  beam.template prepare<Tier::kCertified>();
   if (query.own >= arrays.places.size()) return false;
   const FacePlace place = arrays.places[query.own];
   if (query.own < hierarchy.scene.triangles.size()) {
@@ -114,6 +102,28 @@ bool begin_shadow(const HierarchyView& hierarchy, const scene::ShadowQuery& quer
   return false;
 }
 
+template <class Tier>
+bool begin_shadow(const HierarchyView& hierarchy, const scene::ShadowQuery& query, Beam& beam,
+                  ShadowCandidates& candidates, ShadowAnswer& answer) {
+  const HierarchyArrays& arrays = hierarchy.arrays;
+  if (Tier::kCertified && !(hierarchy.in_domain && in_certified_domain(query.point, query.light))) {
+    answer = candidates.ask_about_all();
+    return true;
+  }
+  bool empty = true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    beam.origin[k] = static_cast<float>(query.point[k]);
+    beam.direction[k] = static_cast<float>(query.light[k]) - beam.origin[k];
+    empty &= beam.direction[k] == 0;
+  }
+  answer = ShadowAnswer::lit;
+  if (empty || arrays.nodes.empty()) return true;
+  beam.measure();
+  if (own_decides<Tier>(hierarchy, query, beam, candidates, answer)) return true;
+  beam.template prepare<Tier::kCertified>();
+  return false;
+}
+
 bool in_ray_domain(const HierarchyView& hierarchy, const scene::RayQuery& query) {
   bool inside = hierarchy.in_domain && in_certified_domain(query.origin, query.direction);
   for (const double d : query.direction) {
@@ -131,6 +141,7 @@ bool begin_ray(const HierarchyView& hierarchy, const scene::RayQuery& query, Bea
     empty &= beam.direction[k] == 0;
   }
   if (empty || hierarchy.arrays.nodes.empty()) return false;
+  beam.measure();
   beam.template prepare<Tier::kCertified>();
   return true;
 }

@@ -167,7 +167,7 @@ TEST(Convexity, RefusesSeveralBodies) {
 /// Whichever face comes first, on which the ray and its origin depend.
 void expect_refused_from_every_face(Faces faces) {
   for (std::size_t k = 0; k < 2 * faces.size(); ++k) {
-    std::ranges::rotate(faces, faces.begin() + 1);
+    std::rotate(faces.begin(), faces.begin() + 1, faces.end());
     if (k == faces.size()) std::ranges::reverse(faces);
     EXPECT_FALSE(convex(faces)) << k;
   }

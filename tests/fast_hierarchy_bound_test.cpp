@@ -20,6 +20,7 @@ fast::Beam beam_of(const scene::ShadowQuery& query) {
     beam.origin[k] = static_cast<float>(query.point[k]);
     beam.direction[k] = static_cast<float>(query.light[k]) - beam.origin[k];
   }
+  beam.measure();
   beam.prepare<kCertified>();
   return beam;
 }
@@ -197,6 +198,7 @@ TEST(FastHierarchyBounds, RaysMeetFacesBetweenTheirParameters) {
         beam.origin[k] = static_cast<float>(ray.origin[k]);
         beam.direction[k] = static_cast<float>(ray.direction[k]);
       }
+      beam.measure();
       beam.prepare<true>();
       const RationalPoint p = rational(ray.origin), d = rational(ray.direction);
       for (const fast::TriangleBlock& block : arrays.triangles) {
