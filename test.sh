@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # test.sh: installs what is missing, builds, and runs every test: release, sanitizers, fuzz targets, mutants.
-# Debian 12, as root or with sudo; about 25 minutes on two cores. On demand, not here: the presets tsan and coverage,
+# Debian 12, as root or with sudo; about 27 minutes on two cores. On demand, not here: the presets tsan and coverage,
 # and tests/mutants.py --all.
 #   FUZZ_SECONDS=60 ./test.sh      how long each fuzz target runs
 set -euo pipefail
