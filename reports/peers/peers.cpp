@@ -7,8 +7,8 @@
 #include "reports/peers/cgal_caster.h"
 #ifdef GNOMON_HAS_EMBREE
 #include "reports/peers/embree_caster.h"
-#include "scene/printable.h"
 #endif
+#include "scene/printable.h"
 
 namespace gnomon::reports {
 namespace {
