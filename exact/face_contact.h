@@ -59,7 +59,34 @@ std::array<Sign, 3> side_signs(const Path& path, const Vector<FT>& direction, co
   return signs;
 }
 
-/// Empty when the filter can't tell; it leaves everything flat to the exact kernel.
+[[nodiscard]] inline bool are_opposite(Sign a, Sign b) {
+  return (a == Sign::negative && b == Sign::positive) || (a == Sign::positive && b == Sign::negative);
+}
+
+/// The contact of a path that lies in the plane of the triangle, as filters can see it: `none` when the
+/// path's line has all corners strictly on one side, `grazing` when the path and an edge cross between the
+/// ends of both. Empty for all that touches, and for degenerate triangles.
+template <Filter FT>
+std::optional<Contact> clear_flat_contact(const Path& path, const Corners& v, const PlaneEnds<FT>& plane) {
+  std::array<Sign, 3> sides{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    sides[k] = sign_of(dot(plane.normal, cross(plane.direction, between<FT>(path.from, v[k]))));
+  }
+  const bool strict = sides[0] == Sign::negative || sides[0] == Sign::positive;
+  if (strict && sides[0] == sides[1] && sides[0] == sides[2]) return Contact{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!are_opposite(sides[k], sides[(k + 1) % 3])) continue;
+    const Vector<FT> edge = between<FT>(v[k], v[(k + 1) % 3]);
+    const Vector<FT> end = path.kind == Path::Kind::ray ? plane.direction : between<FT>(v[k], path.to);
+    const Sign start = sign_of(dot(plane.normal, cross(edge, between<FT>(v[k], path.from))));
+    if (are_opposite(start, sign_of(dot(plane.normal, cross(edge, end))))) {
+      return Contact{ContactKind::grazing};
+    }
+  }
+  return std::nullopt;
+}
+
+/// Empty when the filter can't tell.
 template <class FT>
 std::optional<Contact> triangle_contact(const Path& path, const Corners& v) {
   const PlaneEnds<FT> plane(path, v);
@@ -72,16 +99,16 @@ std::optional<Contact> triangle_contact(const Path& path, const Corners& v) {
     if (sign == Sign::negative) opposite.any_positive = true;
   }
   if (fold.any_positive && opposite.any_positive) return Contact{};
-  if (plane.start == Sign::unknown || plane.finish == Sign::unknown || fold.any_unknown) return std::nullopt;
   if (plane.start == Sign::zero && plane.finish == Sign::zero) {
     if constexpr (Filter<FT>) {
-      return std::nullopt;
+      return clear_flat_contact(path, v, plane);
     } else if (is_zero(plane.direction)) {
       return Contact{flat_contains(v, path.from, plane.normal) ? ContactKind::at_end : ContactKind::none};
     } else {
       return contact_of_range(path, flat_range(path.from, plane.direction, v, plane.normal));
     }
   }
+  if (plane.start == Sign::unknown || plane.finish == Sign::unknown || fold.any_unknown) return std::nullopt;
   // The line crosses the plane in one point, which lies in the triangle and on the closed path.
   if (plane.start == Sign::zero || plane.finish == Sign::zero) return Contact{ContactKind::at_end};
   std::uint8_t zeros = 0, zero = 0, other = 0;

@@ -65,11 +65,26 @@ TEST(FirstHitExact, RandomScenesAgreeWithTheDefinition) {
   EXPECT_GE(mix.roots, least / 4);
 }
 
+TEST(FirstHitExact, RaysWithinThePlaneOfFacesAgreeWithTheDefinition) {
+  Random random(16);
+  Mix mix;
+  for (int trial = 0; trial < affordable(600); ++trial) {
+    const FlatCase c = random_flat_case(random);
+    RayQuery ray{c.query.point, {}, c.query.own};
+    for (std::size_t i = 0; i < 3; ++i) ray.direction[i] = c.query.light[i] - c.query.point[i];
+    check(c.scene, ray, mix);
+    if (HasFatalFailure()) return;
+  }
+  const auto least = static_cast<std::size_t>(affordable(100));
+  EXPECT_GE(mix.none, least);
+  EXPECT_GE(mix.one, least);
+}
+
 /// Hits that no double can tell apart, and ties of numbers that are not rational.
 TEST(FirstHitExact, RootsAreComparedExactly) {
   SceneBuilder builder;
   // On the x axis, from 0: the first two begin at 10 - sqrt(3), and so does the fourth; the third begins at
-  // 10 - sqrt(3) + 2^-60 sqrt(3)-ish, behind them.
+  // 10 - sqrt(3 - 2^-80), behind them.
   builder.add_ball({{10, 1, 0}, 2});
   builder.add_ball({{10, 0, 1}, 2});
   builder.add_ball({{10, 1, 0x1p-40}, 2});

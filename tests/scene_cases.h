@@ -111,6 +111,24 @@ inline scene::ShadowQuery random_query(Random& random, const scene::Scene& scene
   return q;
 }
 
+/// A scene all of whose triangles lie in one plane across an axis, and so does what is asked of it.
+struct FlatCase {
+  scene::Scene scene;
+  scene::ShadowQuery query;
+};
+inline FlatCase random_flat_case(Random& random) {
+  const auto axis = static_cast<std::size_t>(random.below(3));
+  const double level = float_point(random)[0];
+  const auto point = [&] {
+    Point3 p = float_point(random);
+    p[axis] = level;
+    return p;
+  };
+  scene::SceneBuilder builder;
+  for (int i = random.between(1, 3); i > 0; --i) builder.add_triangle(point(), point(), point());
+  return {builder.finish(), {point(), point(), scene::kNoFace}};
+}
+
 /// A ray from a point to another one, whose direction is exact on grids.
 inline scene::RayQuery random_ray(Random& random, const scene::Scene& scene, bool grid,
                                   const Placement& place) {

@@ -77,6 +77,21 @@ TEST(ShadowExact, RandomScenesAgreeWithTheDefinition) {
   expect_mix(mix, static_cast<std::size_t>(affordable(400)));
 }
 
+/// Numbers of many digits within one plane: what intervals decide about flat contacts.
+TEST(ShadowExact, PathsWithinThePlaneOfFacesAgreeWithTheDefinition) {
+  Random random(15);
+  Mix mix;
+  for (int trial = 0; trial < affordable(600); ++trial) {
+    const FlatCase c = random_flat_case(random);
+    check(c.scene, c.query, mix);
+    if (HasFatalFailure()) return;
+  }
+  const auto least = static_cast<std::size_t>(affordable(100));
+  EXPECT_GE(mix.answers[0], least);
+  EXPECT_GE(mix.touching[1], least);
+  EXPECT_EQ(mix.contacts.firm, 0u);
+}
+
 Scene one_triangle() {
   SceneBuilder builder;
   builder.add_triangle({0, 0, 0}, {4, 0, 0}, {0, 4, 0});
