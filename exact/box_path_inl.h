@@ -14,7 +14,7 @@ union alignas(32) NearBounds {
 /// A path in the frame, for boxes that may hold a point of the closed path with t <= latest.
 ///
 /// On each axis it has two origins and two inverse directions, rounded so that the t of the near side comes
-/// out too small and that of the far side too large: by monotony nothing else than the three roundings of
+/// out too small and that of the far side too large: by monotony nothing else than the two roundings of
 /// each t is left to bound. Where a true near t is at most the true far t, both not negative, the computed
 /// ones are at most (1 + u)^2 too large and (1 - u)^2 too small, u = 2^-24, and 2^-150 more where a product
 /// underflows; kWiden and kTiny more than make up for it, and for the two roundings that they bring. A

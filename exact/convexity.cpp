@@ -9,7 +9,7 @@
 #include <tuple>
 #include <vector>
 
-#include "exact/number.h"
+#include "exact/vector.h"
 
 // Why this is enough. Let o be the mean of four corners that span space, which lies strictly inside the body
 // when there is one. Seen from o, the triangles are
@@ -34,51 +34,27 @@ using Corners = std::array<std::uint32_t, 3>;
 using Triangles = std::span<const Corners>;
 using Points = std::vector<std::array<double, 3>>;
 
-/// Exact differences can't be had from doubles: vectors of intervals, or of exact numbers.
-template <class K>
-using Vector = std::array<typename K::FT, 3>;
-
-template <class K>
-Vector<K> vector_of(const std::array<double, 3>& p) {
-  return {typename K::FT(p[0]), typename K::FT(p[1]), typename K::FT(p[2])};
-}
-
-template <class K>
-Vector<K> minus(const Vector<K>& p, const Vector<K>& q) {
-  return {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
-}
-
-template <class K>
-Vector<K> cross(const Vector<K>& p, const Vector<K>& q) {
-  return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
-}
-
-template <class K>
-typename K::FT dot(const Vector<K>& p, const Vector<K>& q) {
-  return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
-}
-
 /// The sides of a triangle's plane, outward from where its corners turn counterclockwise.
-template <class K>
+template <class FT>
 class Plane {
  public:
   Plane(const Points& points, const Corners& t)
-      : corner_(vector_of<K>(points[t[0]])),
-        normal_(cross<K>(minus<K>(vector_of<K>(points[t[1]]), corner_),
-                         minus<K>(vector_of<K>(points[t[2]]), corner_))) {}
+      : corner_(points[t[0]]),
+        normal_(cross(between<FT>(corner_, points[t[1]]), between<FT>(corner_, points[t[2]]))) {}
 
   [[nodiscard]] Sign side(const std::array<double, 3>& p) const {
-    return sign_of(dot<K>(normal_, minus<K>(vector_of<K>(p), corner_)));
+    return sign_of(dot(normal_, between<FT>(corner_, p)));
   }
 
  private:
-  Vector<K> corner_, normal_;
+  std::array<double, 3> corner_;
+  Vector<FT> normal_;
 };
 
 /// The side of one plane that a point is on, in exact numbers where intervals can't tell. Never unknown.
 Sign side_of(const Points& points, const Corners& t, std::uint32_t p) {
-  const Sign sign = Plane<FilterKernel>(points, t).side(points[p]);
-  return sign != Sign::unknown ? sign : Plane<ExactKernel>(points, t).side(points[p]);
+  const Sign sign = Plane<FilterKernel::FT>(points, t).side(points[p]);
+  return sign != Sign::unknown ? sign : Plane<ExactKernel::FT>(points, t).side(points[p]);
 }
 
 /// A side of a triangle, by the lesser and the greater point; the triangle's third corner stays in reach.
@@ -131,10 +107,10 @@ std::optional<std::array<std::uint32_t, 4>> spanning_corners(const Points& point
 /// True when the mean of the four corners, which span space, is strictly behind the triangle's plane. Where
 /// one of them is in front, the triangles bound no convex body: false as well. They are not all in the plane
 /// unless the triangle has none.
-template <class K>
+template <class FT>
 std::optional<bool> is_behind(const Points& points, const Corners& t,
                               const std::array<std::uint32_t, 4>& corners) {
-  const Plane<K> plane(points, t);
+  const Plane<FT> plane(points, t);
   bool behind = false;
   for (const std::uint32_t p : corners) {
     const Sign sign = plane.side(points[p]);
@@ -147,18 +123,18 @@ std::optional<bool> is_behind(const Points& points, const Corners& t,
 
 /// The ray from o, the mean of four corners, through the centroid of a triangle. Everything is twelve times
 /// as large, so that nothing is divided.
-template <class K>
+template <class FT>
 class Ray {
  public:
   Ray(const Points& points, const std::array<std::uint32_t, 4>& corners, const Corners& t)
-      : points_(points), origin_(sum(corners, 3)), direction_(minus<K>(sum(t, 4), origin_)) {}
+      : points_(points), origin_(sum(corners, 3)), direction_(minus(sum(t, 4), origin_)) {}
 
   /// True when the ray meets the closed triangle, which turns counterclockwise as seen from behind the ray.
   [[nodiscard]] std::optional<bool> meets(const Corners& t) const {
-    const std::array<Vector<K>, 3> v{from_origin(t[0]), from_origin(t[1]), from_origin(t[2])};
+    const std::array<Vector<FT>, 3> v{from_origin(t[0]), from_origin(t[1]), from_origin(t[2])};
     bool unknown = false;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Sign sign = sign_of(dot<K>(direction_, cross<K>(v[k], v[(k + 1) % 3])));
+      const Sign sign = sign_of(dot(direction_, cross(v[k], v[(k + 1) % 3])));
       if (sign == Sign::negative) return false;
       unknown |= sign == Sign::unknown;
     }
@@ -168,27 +144,29 @@ class Ray {
 
  private:
   template <std::size_t N>
-  Vector<K> sum(const std::array<std::uint32_t, N>& corners, int factor) const {
-    Vector<K> total{typename K::FT(0), typename K::FT(0), typename K::FT(0)};
+  Vector<FT> sum(const std::array<std::uint32_t, N>& corners, int factor) const {
+    Vector<FT> total{FT(0), FT(0), FT(0)};
     for (const std::uint32_t p : corners) {
-      for (std::size_t k = 0; k < 3; ++k) total[k] = total[k] + typename K::FT(points_[p][k]);
+      for (std::size_t k = 0; k < 3; ++k) total[k] = total[k] + FT(points_[p][k]);
     }
-    for (typename K::FT& x : total) x = x * typename K::FT(factor);
+    for (FT& x : total) x = x * FT(factor);
     return total;
   }
-  [[nodiscard]] Vector<K> from_origin(std::uint32_t p) const {
-    Vector<K> v = vector_of<K>(points_[p]);
-    for (typename K::FT& x : v) x = x * typename K::FT(12);
-    return minus<K>(v, origin_);
+  [[nodiscard]] Vector<FT> from_origin(std::uint32_t p) const {
+    return minus(sum(std::array{p}, 12), origin_);
+  }
+
+  static Vector<FT> minus(const Vector<FT>& p, const Vector<FT>& q) {
+    return {FT(p[0] - q[0]), FT(p[1] - q[1]), FT(p[2] - q[2])};
   }
 
   const Points& points_;
-  Vector<K> origin_, direction_;
+  Vector<FT> origin_, direction_;
 };
 
 bool is_met_once(const Points& points, Triangles triangles, const std::array<std::uint32_t, 4>& corners) {
-  const Ray<FilterKernel> ray(points, corners, triangles.front());
-  std::optional<Ray<ExactKernel>> exact_ray;
+  const Ray<FilterKernel::FT> ray(points, corners, triangles.front());
+  std::optional<Ray<ExactKernel::FT>> exact_ray;
   for (const Corners& t : triangles.subspan(1)) {
     std::optional<bool> met = ray.meets(t);
     if (!met) {
@@ -215,8 +193,8 @@ bool is_convex(const scene::Scene& scene, const scene::Object& object) {
   const auto corners = spanning_corners(points, triangles);
   if (!corners) return false;
   for (const Corners& t : triangles) {
-    std::optional<bool> behind = is_behind<FilterKernel>(points, t, *corners);
-    if (!behind) behind = is_behind<ExactKernel>(points, t, *corners);
+    std::optional<bool> behind = is_behind<FilterKernel::FT>(points, t, *corners);
+    if (!behind) behind = is_behind<ExactKernel::FT>(points, t, *corners);
     if (!*behind) return false;
   }
   for (std::size_t i = 0; i < edges.size(); i += 2) {

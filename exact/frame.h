@@ -17,8 +17,8 @@ inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
   return static_cast<float>(x > kLargest ? kLargest : x < -kLargest ? -kLargest : x);
 }
 
-/// At least (at most) one float up or down, and at most two. Where |x| 2^-23 underflows, adding the least
-/// denormal is exact.
+/// At least one float up (down), and at most three: two but next to the denormals. Where |x| 2^-23
+/// underflows, adding the least denormal is exact.
 [[nodiscard]] inline float stepped_up(float x) {
   return x + (std::fabs(x) * 0x1p-23f + std::numeric_limits<float>::denorm_min());
 }

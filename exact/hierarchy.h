@@ -25,7 +25,7 @@ struct BuiltHierarchy;
 ///
 /// Keeps a reference to the scene, which must be valid and must not change. Queries may run in any number of
 /// threads at once; they allocate nothing unless a path meets borders of faces (shadow) or anything at all
-/// (first-hit).
+/// (first-hit), or rationals have to decide.
 class Hierarchy {
  public:
   explicit Hierarchy(const scene::Scene& scene);

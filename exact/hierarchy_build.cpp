@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "scene/scalar.h"
+
 namespace gnomon::exact {
 
 using scene::Ball;
@@ -233,13 +235,10 @@ class Builder {
 
   /// True when every number of the scene's faces is a float.
   [[nodiscard]] bool is_in_floats() const {
-    const auto is_float = [](double x) {
-      return std::fabs(x) <= double{std::numeric_limits<float>::max()} && double{static_cast<float>(x)} == x;
-    };
     return std::ranges::all_of(scene_.points,
-                               [&](const auto& p) { return std::ranges::all_of(p, is_float); }) &&
-           std::ranges::all_of(scene_.balls, [&](const Ball<double>& ball) {
-             return std::ranges::all_of(ball.centre, is_float) && is_float(ball.radius);
+                               [](const auto& p) { return std::ranges::all_of(p, scene::is_float); }) &&
+           std::ranges::all_of(scene_.balls, [](const Ball<double>& ball) {
+             return std::ranges::all_of(ball.centre, scene::is_float) && scene::is_float(ball.radius);
            });
   }
 

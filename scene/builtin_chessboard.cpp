@@ -106,7 +106,7 @@ void add_board(Modeller& modeller, double x, double y) {
   constexpr std::string_view kRows[] = {"rnbqkb.r", "pppp.ppp", ".....n..", "....p...",
                                         "....p...", "..n.....", "pppp.ppp", "r.bqkbnr"};
   for (std::size_t row = 0; row < 8; ++row) {
-    const double facing = row < 4 && row != 3 ? 1 : row == 3 ? 1 : -1;  // knights look across the board
+    const double facing = row < 4 ? 1 : -1;  // knights look across the board
     for (std::size_t column = 0; column < 8; ++column) {
       const char kind = kRows[row][column];
       if (kind == '.') continue;

@@ -15,7 +15,7 @@ enum class Scalar : std::uint8_t { f32, f64 };
   return scalar == Scalar::f32 ? "f32" : "f64";
 }
 
-/// True when `value` is a float: converting it there and back changes nothing (NaN: false).
+/// True when `value` is a float: converting it there and back changes nothing (infinities: true; NaN: false).
 [[nodiscard]] inline bool is_float(double value) {
   // A double beyond the largest float must not be converted: that would be undefined where it rounds to no
   // float.

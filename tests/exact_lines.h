@@ -14,6 +14,9 @@
 #include "scene/ball.h"
 
 namespace gnomon::tests {
+// One of its own: fast_hierarchy_truth.h has operators with the same signatures, and shares no code with
+// this.
+inline namespace lines {
 
 using Rational3 = std::array<mpq_class, 3>;
 
@@ -154,4 +157,5 @@ struct BallFunction {
   }
 };
 
+}  // namespace lines
 }  // namespace gnomon::tests
