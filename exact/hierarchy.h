@@ -12,7 +12,8 @@
 namespace gnomon::exact {
 
 /// What queries have cost: boxes tested (eight of them at a time), faces tested, and faces that plain doubles
-/// could not decide about, so that intervals or rationals did.
+/// could not decide about, so that intervals or rationals did; of own balls and of balls that a ray may meet,
+/// all.
 struct HierarchyCounters {
   std::uint64_t box_tests = 0, face_tests = 0, exact_face_tests = 0;
 };
