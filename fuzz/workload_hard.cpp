@@ -10,8 +10,8 @@
 // The lights of the last two kinds are points of their own: no light of the scene lies there.
 #include <cmath>
 #include <limits>
-#include <optional>
 
+#include "fuzz/feature_sampler.h"
 #include "fuzz/lights.h"
 #include "fuzz/surface_sampler.h"
 #include "fuzz/vectors.h"
@@ -19,6 +19,7 @@
 #include "scene/scene_facts.h"
 
 namespace gnomon::fuzz {
+
 Vector3 nudged(const Vector3& point, CaseRandom& random, int most) {
   Vector3 result = point;
   for (double& c : result) {
@@ -36,7 +37,12 @@ namespace {
 class HardRecorder {
  public:
   HardRecorder(const scene::Scene& scene, const Oracle& oracle, const WorkloadOptions& options)
-      : scene_(scene), oracle_(oracle), options_(options), sampler_(scene), lights_(light_points(scene)) {
+      : scene_(scene),
+        oracle_(oracle),
+        options_(options),
+        sampler_(scene),
+        features_(scene),
+        lights_(light_points(scene)) {
     const scene::Box<double> box = scene::extent_of(scene);
     size_ = length_of({box.hi(0) - box.lo(0), box.hi(1) - box.lo(1), box.hi(2) - box.lo(2)});
   }
@@ -67,16 +73,9 @@ class HardRecorder {
   const Vector3& any_light(CaseRandom& random) const {
     return lights_[static_cast<std::size_t>(random.below(static_cast<int>(lights_.size())))];
   }
-  std::size_t any_triangle(CaseRandom& random) const {
-    return static_cast<std::size_t>(random.below(static_cast<int>(scene_.triangles.size())));
-  }
-  const Vector3& any_corner(CaseRandom& random) const {
-    return scene_.corner(any_triangle(random), static_cast<std::size_t>(random.below(3)));
-  }
   Vector3 any_edge_point(CaseRandom& random) const {
-    const std::size_t triangle = any_triangle(random), k = static_cast<std::size_t>(random.below(3));
-    const Vector3 &a = scene_.corner(triangle, k), &b = scene_.corner(triangle, (k + 1) % 3);
-    return as_floats(along(a, minus(b, a), random.unit<double>()));
+    const FeatureSampler::Edge edge = features_.edge(random);
+    return edge.at(random.unit<double>());
   }
 
   void boundary(CaseRandom& random) {
@@ -91,9 +90,9 @@ class HardRecorder {
     } else {
       const Vector3 edge = any_edge_point(random);
       const Vector3 beyond = along(edge, unit_of(minus(edge, light)), size_ * random.between(0.001, 0.3));
+      const double reach = size_ * 0.01 * random.unit<double>();
       const Vector3 aside =
-          times({random.between(-1.0, 1.0), random.between(-1.0, 1.0), random.between(-1.0, 1.0)},
-                size_ * 0.01 * random.unit<double>());
+          times({random.between(-1.0, 1.0), random.between(-1.0, 1.0), random.between(-1.0, 1.0)}, reach);
       a = as_floats(plus(beyond, aside));
       b = as_floats(minus(beyond, aside));
     }
@@ -119,23 +118,18 @@ class HardRecorder {
     queries_.push_back({as_floats(along(through, minus(through, light), step)), light, scene::kNoFace});
   }
   void through_edge(CaseRandom& random) { beyond(any_edge_point(random), random); }
-  void through_vertex(CaseRandom& random) { beyond(any_corner(random), random); }
+  void through_vertex(CaseRandom& random) { beyond(features_.vertex(random), random); }
 
   void grazing(CaseRandom& random) {
-    const std::size_t t = any_triangle(random);
-    const auto in_plane = [&] {
-      const Vector3& a = scene_.corner(t, 0);
-      const Vector3 ab = minus(scene_.corner(t, 1), a), ac = minus(scene_.corner(t, 2), a);
-      return as_floats(along(along(a, ab, random.between(-2.0, 3.0)), ac, random.between(-2.0, 3.0)));
-    };
+    const std::size_t t = features_.triangle(random);
     const int ulps = random.integer(0, 2);
-    const Vector3 point = in_plane(), light = in_plane();
+    const Vector3 point = features_.point_in_plane(t, random), light = features_.point_in_plane(t, random);
     queries_.push_back({nudged(point, random, ulps), nudged(light, random, ulps),
                         random.chance(0.5) ? static_cast<std::uint32_t>(t) : scene::kNoFace});
   }
 
   void axis_parallel(CaseRandom& random) {
-    const Vector3 through = random.chance(0.5) ? any_corner(random) : sampler_.draw(random).point;
+    const Vector3 through = random.chance(0.5) ? features_.vertex(random) : sampler_.draw(random).point;
     const auto axis = static_cast<std::size_t>(random.below(3));
     Vector3 point = through, light = through;
     point[axis] += size_ * random.between(0.001, 1.0);
@@ -148,6 +142,7 @@ class HardRecorder {
   const Oracle& oracle_;
   const WorkloadOptions& options_;
   SurfaceSampler sampler_;
+  FeatureSampler features_;
   std::vector<Vector3> lights_;
   double size_ = 0;
   Queries queries_;

@@ -4,12 +4,14 @@
 //        them the direction has few bits and the origin is found from it backwards: where the bits suffice
 //        the ray then meets the edge or vertex exactly, and the faces around it tie;
 //   3/20 origin and direction in, or within two ulps of, the plane of a face, half of them with it as own
-//   face; 3/20 axis-parallel through a vertex, the middle of an edge or a point of a face: exactly so; 1/4
-//   from points of faces, with their own face: to random sides, to corners and to points of other faces; 1/10
-//   along balls: tangents by the axes, and to points of their silhouette.
+//        face;
+//   3/20 axis-parallel through a vertex, the middle of an edge or a point of a face: exactly so;
+//   1/4  from points of faces, with their own face: to random sides, to corners and to points of other faces;
+//   1/10 along balls: tangents by the axes, and to points of their silhouette.
 // Faces that coincide tie wherever the scene has some.
 #include <cmath>
 
+#include "fuzz/feature_sampler.h"
 #include "fuzz/surface_sampler.h"
 #include "fuzz/vectors.h"
 #include "fuzz/workload_parts.h"
@@ -21,7 +23,11 @@ namespace {
 class HardRayRecorder {
  public:
   HardRayRecorder(const scene::Scene& scene, const WorkloadOptions& options)
-      : scene_(scene), options_(options), sampler_(scene), extent_(scene::extent_of(scene)) {
+      : scene_(scene),
+        options_(options),
+        sampler_(scene),
+        features_(scene),
+        extent_(scene::extent_of(scene)) {
     size_ = length_of(
         {extent_.hi(0) - extent_.lo(0), extent_.hi(1) - extent_.lo(1), extent_.hi(2) - extent_.lo(2)});
   }
@@ -56,17 +62,6 @@ class HardRayRecorder {
     if (ray.direction != Vector3{}) rays_.push_back(ray);
   }
 
-  std::size_t any_triangle(CaseRandom& random) const {
-    return static_cast<std::size_t>(random.below(static_cast<int>(scene_.triangles.size())));
-  }
-  const Vector3& any_corner(CaseRandom& random) const {
-    return scene_.corner(any_triangle(random), static_cast<std::size_t>(random.below(3)));
-  }
-  Vector3 any_edge_point(CaseRandom& random, double share) const {
-    const std::size_t triangle = any_triangle(random), k = static_cast<std::size_t>(random.below(3));
-    const Vector3 &a = scene_.corner(triangle, k), &b = scene_.corner(triangle, (k + 1) % 3);
-    return as_floats(along(a, minus(b, a), share));
-  }
   /// In the scene's box and as far beyond it as it is large.
   Vector3 any_point(CaseRandom& random) const {
     Vector3 point;
@@ -93,27 +88,23 @@ class HardRayRecorder {
   }
   void through_edge(CaseRandom& random) {
     const double share = random.chance(0.5) ? 0.5 : random.unit<double>();
-    through(any_edge_point(random, share), random);
+    through(features_.edge(random).at(share), random);
   }
-  void through_vertex(CaseRandom& random) { through(any_corner(random), random); }
+  void through_vertex(CaseRandom& random) { through(features_.vertex(random), random); }
 
   void grazing(CaseRandom& random) {
-    const std::size_t t = any_triangle(random);
-    const auto in_plane = [&] {
-      const Vector3& a = scene_.corner(t, 0);
-      const Vector3 ab = minus(scene_.corner(t, 1), a), ac = minus(scene_.corner(t, 2), a);
-      return as_floats(along(along(a, ab, random.between(-2.0, 3.0)), ac, random.between(-2.0, 3.0)));
-    };
+    const std::size_t t = features_.triangle(random);
     const int ulps = random.integer(0, 2);
-    const Vector3 origin = in_plane(), to = in_plane();
+    const Vector3 origin = features_.point_in_plane(t, random), to = features_.point_in_plane(t, random);
     const std::uint32_t own = random.chance(0.5) ? static_cast<std::uint32_t>(t) : scene::kNoFace;
-    add(nudged(origin, random, ulps), nudged(as_floats(minus(to, origin)), random, ulps), own);
+    const Vector3 direction = nudged(as_floats(minus(to, origin)), random, ulps);
+    add(nudged(origin, random, ulps), direction, own);
   }
 
   void axis_parallel(CaseRandom& random) {
     const int what = random.below(3);
-    const Vector3 target = what == 0   ? any_corner(random)
-                           : what == 1 ? any_edge_point(random, 0.5)
+    const Vector3 target = what == 0   ? features_.vertex(random)
+                           : what == 1 ? features_.edge(random).at(0.5)
                                        : sampler_.draw(random).point;
     const auto axis = static_cast<std::size_t>(random.below(3));
     Vector3 origin = target, direction{};
@@ -128,7 +119,7 @@ class HardRayRecorder {
     const int what = random.below(scene_.triangles.empty() ? 2 : 3);
     const Vector3 direction = what == 0   ? any_direction(random)
                               : what == 1 ? minus(sampler_.draw(random).point, from.point)
-                                          : minus(any_corner(random), from.point);
+                                          : minus(features_.vertex(random), from.point);
     add(from.point, direction, from.face);
   }
 
@@ -156,6 +147,7 @@ class HardRayRecorder {
   const scene::Scene& scene_;
   const WorkloadOptions& options_;
   SurfaceSampler sampler_;
+  FeatureSampler features_;
   scene::Box<double> extent_;
   double size_ = 0;
   Rays rays_;

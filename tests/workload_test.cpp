@@ -5,7 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "fuzz/camera.h"
@@ -229,6 +232,44 @@ TEST(Variants, ByPowersOfTwoAskTheSame) {
                 exact::shadow_by_all_faces(scene, queries[i]));
     }
   }
+}
+
+/// FNV-1a over the bits of the numbers, and own faces.
+class Fingerprint {
+ public:
+  void add(const std::array<double, 3>& numbers) {
+    for (const double x : numbers) add(std::bit_cast<std::uint64_t>(x));
+  }
+  void add(std::uint64_t bits) { value_ = (value_ ^ bits) * 0x100000001b3; }
+  [[nodiscard]] std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0xcbf29ce484222325;
+};
+
+// Results are compared between builds: compilers and libraries must not change what is asked.
+TEST(Workloads, AreTheSameFromAllCompilers) {
+  const scene::Scene scene = lamp_scene();
+  const auto of_shadow = [&](const std::string& name) {
+    Fingerprint print;
+    for (const ShadowQuery& query : record(name, scene, {500, 1})) {
+      print.add(query.point);
+      print.add(query.light);
+      print.add(std::uint64_t{query.own});
+    }
+    return print.value();
+  };
+  EXPECT_EQ(of_shadow("surface"), 15694200070336959381u);
+  EXPECT_EQ(of_shadow("light-rays"), 7021727982918559u);
+  EXPECT_EQ(of_shadow("emitter"), 7355379240816975032u);
+  EXPECT_EQ(of_shadow("hard"), 17068271923859782451u);
+  Fingerprint hard_rays;
+  for (const scene::RayQuery& ray : record_rays("hard-rays", scene, {500, 1})) {
+    hard_rays.add(ray.origin);
+    hard_rays.add(ray.direction);
+    hard_rays.add(std::uint64_t{ray.own});
+  }
+  EXPECT_EQ(hard_rays.value(), 17001985880014952240u);
 }
 
 }  // namespace
