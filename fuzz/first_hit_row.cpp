@@ -10,15 +10,7 @@ std::uint64_t FirstHitRow::truths(const Matrix& m, std::size_t truth) {
 }
 
 bool FirstHitRow::promise_broken() const {
-  switch (method->promise) {
-    case Promise::none:
-      return false;
-    case Promise::never_unsound:
-      return unsound(matrix) > 0;
-    case Promise::always_agrees:
-      return unsound(matrix) + column(matrix, undecided) + column(matrix, rejected) > 0;
-  }
-  return false;
+  return is_broken(method->promise, unsound(matrix), column(matrix, undecided) + column(matrix, rejected));
 }
 
 }  // namespace gnomon::fuzz

@@ -152,10 +152,11 @@ class SceneMeasurer {
   void run_queries(const std::string& kind, const List& queries, Judge judge_one, std::vector<Row>& rows,
                    std::vector<QueryTimes>& times) {
     if (queries.empty()) {
-      note(kind + " left out: the scene asks no such query");
+      note(kind + " left out: no such query was found");
       return;
     }
     List shuffled;
+    shuffled.reserve(queries.size());
     const std::vector<std::uint32_t> order = shuffled_order(queries.size());
     for (const std::uint32_t i : order) shuffled.push_back(queries[i]);
     for (Contender& contender : contenders_) {

@@ -26,6 +26,19 @@ enum class Promise : std::uint8_t { none, never_unsound, always_agrees };
   return "?";
 }
 
+/// True when so many unsound answers, or so many cases without an answer, break the promise.
+[[nodiscard]] constexpr bool is_broken(Promise promise, std::uint64_t unsound, std::uint64_t unanswered) {
+  switch (promise) {
+    case Promise::none:
+      return false;
+    case Promise::never_unsound:
+      return unsound > 0;
+    case Promise::always_agrees:
+      return unsound > 0 || unanswered > 0;
+  }
+  return false;
+}
+
 /// The exact twin of a method: the same algorithm in exact arithmetic. A plug-in's is unknown: its errors are
 /// not told apart into rounding and model.
 enum class Twin : std::uint8_t { always_overlap, printed, planes, truth, unknown };

@@ -12,15 +12,7 @@ std::uint64_t ShadowRow::truths(const Matrix& m, std::size_t truth) {
 }
 
 bool ShadowRow::promise_broken() const {
-  switch (method->promise) {
-    case Promise::none:
-      return false;
-    case Promise::never_unsound:
-      return unsound(matrix) > 0;
-    case Promise::always_agrees:
-      return unsound(matrix) + column(matrix, kUndecided) + column(matrix, kRejected) > 0;
-  }
-  return false;
+  return is_broken(method->promise, unsound(matrix), column(matrix, kUndecided) + column(matrix, kRejected));
 }
 
 Spread spread_of(std::vector<double> values) {

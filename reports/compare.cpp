@@ -7,6 +7,7 @@
 #include <map>
 
 #include "fuzz/method.h"
+#include "fuzz/scene_measurement.h"
 #include "reports/json_node.h"
 #include "reports/result_reader.h"
 #include "scene/input_error.h"
@@ -130,13 +131,6 @@ void compare_environments(const ResultFile& before, const ResultFile& after, Com
   }
 }
 
-std::optional<double> median(std::vector<double> values) {
-  if (values.empty()) return std::nullopt;
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
-}
-
 void check_same_run(const std::filesystem::path& path, const ResultFile& before, const ResultFile& after) {
   if (before.seeds != after.seeds) {
     throw scene::InputError(path.string(), 0,
@@ -216,7 +210,9 @@ Comparison compare_results(const std::filesystem::path& before, const std::files
                    [](const ErrorChange& a, const ErrorChange& b) { return a.change < b.change; });
   std::stable_sort(comparison.speeds.begin(), comparison.speeds.end(),
                    [](const SpeedChange& a, const SpeedChange& b) { return a.ratio > b.ratio; });
-  comparison.reference_ratio = median(std::move(reference_ratios));
+  if (!reference_ratios.empty()) {
+    comparison.reference_ratio = fuzz::spread_of(std::move(reference_ratios)).median;
+  }
   compare_environments(old_file, new_file, comparison);
   return comparison;
 }

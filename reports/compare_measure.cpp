@@ -5,6 +5,7 @@
 #include <map>
 
 #include "fuzz/method.h"
+#include "fuzz/scene_measurement.h"
 #include "reports/compare.h"
 #include "reports/json_node.h"
 #include "scene/input_error.h"
@@ -118,13 +119,6 @@ void compare_speed(const std::string& key, const char* order, const std::optiona
                     options.speed_limit && ratio > *options.speed_limit && !overlap, then, now});
 }
 
-std::optional<double> median(std::vector<double> values) {
-  if (values.empty()) return std::nullopt;
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
-}
-
 }  // namespace
 
 Comparison compare_measurements(const std::filesystem::path& before, const std::filesystem::path& after,
@@ -173,7 +167,9 @@ Comparison compare_measurements(const std::filesystem::path& before, const std::
                    [](const ErrorChange& a, const ErrorChange& b) { return a.change < b.change; });
   std::stable_sort(comparison.speeds.begin(), comparison.speeds.end(),
                    [](const SpeedChange& a, const SpeedChange& b) { return a.ratio > b.ratio; });
-  comparison.reference_ratio = median(std::move(reference_ratios));
+  if (!reference_ratios.empty()) {
+    comparison.reference_ratio = fuzz::spread_of(std::move(reference_ratios)).median;
+  }
   for (const auto& [name, value] : now.environment) {
     const auto known = then.environment.find(name);
     if (known == then.environment.end() || known->second == value) continue;

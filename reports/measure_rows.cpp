@@ -78,27 +78,34 @@ std::vector<MeasureRow> read_measure_rows(const Node& top) {
   for (const Node& node : top.at("rows").list()) rows.push_back(row(node));
   if (!top.has("measured")) return rows;
   const Node measured = top.at("measured");
-  const auto names = [](const MeasureRow& r, const Node& node) {
-    return r.scene == node.at("scene").text() && r.variant == node.at("variant").text() &&
-           r.method == node.at("method").text();
+  // Read once each: there are as many as rows, or twice as many.
+  const auto those_of = [](const Node& node) {
+    return [scene = node.at("scene").text(), variant = node.at("variant").text(),
+            method = node.at("method").text()](const MeasureRow& r) {
+      return r.method == method && r.variant == variant && r.scene == scene;
+    };
   };
   for (const Node& time : measured.at("ns_per_query").list()) {
     const TimeSpread ns = spread(time.at("ns"));
+    const auto is_of = those_of(time);
+    const std::string question = time.at("question").text(), workload = time.at("workload").text();
+    const Node order = time.at("order");
+    const bool image = order.text() == "image";
+    if (!image && order.text() != "shuffled") order.fail("\"image\" or \"shuffled\"");
     for (MeasureRow& r : rows) {
-      if (!names(r, time) || r.workload != time.at("workload").text() ||
-          r.question != time.at("question").text()) {
-        continue;
-      }
-      (time.at("order").text() == "image" ? r.image : r.shuffled) = ns;
+      if (!is_of(r) || r.workload != workload || r.question != question) continue;
+      (image ? r.image : r.shuffled) = ns;
     }
   }
   for (const Node& set_up : measured.at("set_ups").list()) {
     const Node seconds = set_up.at("seconds");
     if (seconds.number() < 0) seconds.fail("a time, 0 or more");
+    const std::uint64_t bytes = set_up.at("bytes").count();
+    const auto is_of = those_of(set_up);
     for (MeasureRow& r : rows) {
-      if (!names(r, set_up)) continue;
+      if (!is_of(r)) continue;
       r.set_up_seconds = seconds.number();
-      r.bytes = set_up.at("bytes").count();
+      r.bytes = bytes;
     }
   }
   return rows;

@@ -8,10 +8,11 @@
 
 namespace gnomon::reports {
 
-/// The rows of shadow with the peers that are built in, then workloads and variants of scenes.
+/// The methods of shadow and first-hit with the peers that are built in, then workloads and variants of
+/// scenes.
 [[nodiscard]] std::string scene_methods_text();
 
-/// The question shadow in the form of the others, and its workloads and variants.
+/// Each question in the form of those about shafts, and its workloads and variants.
 [[nodiscard]] nlohmann::ordered_json shadow_question_json();
 [[nodiscard]] nlohmann::ordered_json first_hit_question_json();
 

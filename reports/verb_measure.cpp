@@ -63,6 +63,15 @@ std::vector<VariantRun> variant_runs(const MeasureArguments& arguments) {
   return runs;
 }
 
+/// Leaves each word where it first stands: a result has each row once.
+void drop_repeats(std::vector<std::string>& words) {
+  std::vector<std::string> first;
+  for (std::string& word : words) {
+    if (std::find(first.begin(), first.end(), word) == first.end()) first.push_back(std::move(word));
+  }
+  words = std::move(first);
+}
+
 /// The command as it can be typed again: where results go is left out.
 std::string command_of(const MeasureArguments& arguments) {
   std::string text = "gnomon measure";
@@ -77,6 +86,9 @@ std::string command_of(const MeasureArguments& arguments) {
 
 int run_measure(MeasureArguments arguments) {
   if (arguments.scenes.empty()) arguments.scenes.assign(std::begin(kDefaultScenes), std::end(kDefaultScenes));
+  for (auto* const words : {&arguments.scenes, &arguments.workloads, &arguments.variants}) {
+    drop_repeats(*words);
+  }
   fuzz::MeasureOptions options;
   options.methods = choose_scene_methods(arguments.methods);
   options.chosen = !arguments.methods.empty();

@@ -159,6 +159,21 @@ TEST(CommandLineMeasure, GivesTheSameRowsEachTime) {
   }
 }
 
+// Two rows of one key could not be compared.
+TEST(CommandLineMeasure, AsksWhatIsSaidTwiceOnce) {
+  const Folder folder;
+  folder.write("s.nff", kBallsNff);
+  const Outcome run =
+      run_gnomon({"measure",  "s.nff",      "s.nff",    "--queries",  "90",        "--rounds", "1",
+                  "--method", "bvh-exact",  "--method", "bvh-exact",  "--variant", "moved",    "--variant",
+                  "moved",    "--workload", "surface",  "--workload", "surface",   "--json",   "r.json"},
+                 folder.path());
+  ASSERT_EQ(run.status, 0) << run.err;
+  const json result = json::parse(contents_of(folder / "r.json"));
+  EXPECT_EQ(result.at("rows").size(), 1u);
+  EXPECT_EQ(result.at("measured").at("set_ups").size(), 1u);
+}
+
 TEST(CommandLineMeasure, TakesLightsInsteadOfTheScenesOwn) {
   const Folder folder;
   folder.write("s.nff", "p 3\n-9 -9 0\n9 -9 0\n0 9 0\nl 0 0 -5\n");
