@@ -14,11 +14,12 @@
 //  - q_i: m_i with a rounding, s d_i with two, and a difference: off by at most u (|m_i| + 2.01 |s d_i| +
 //    |q_i|) + eta <= u (3.1 |m_i| + 3.1 |q_i|) + eta, as s d_i = m_i - q_i. So 2 sum |q_i| (..) <=
 //    6.2 u |m|_m |q|_1 + 6.2 u q . q, what eta gives is below 4 eta |q| < 2^-105, and the squares' sum is
-//    below 60 u^2 |m|_m^2 and little of q . q. The square's own roundings: g(3) q . q.
+//    below 60 u^2 |m|_m^2 and little of q . q. The square's own roundings: g(3) q . q. (From the computed q
+//    to the exact one the same holds with |q|_1 and q . q as computed, which the kernel has.)
 //  - t0: m . d is off by g(5) |m| |d| + 3 eta, d . d by g(5) of itself as long as it is at least 2^-100, and
-//  a
-//    division: |d| times t0's error is at most e = 11.2 u |m| + 4 eta / |d|, the last term below 2^-98.
-//    Moving into the range does not enlarge it. q . q exceeds its least value in the range by at most e^2
+//    there is a division: |d| times t0's error is at most e = 11.2 u |m| + 3 eta / |d| + eta |d|, the last
+//    two terms together below 2^-98. Moving into the range does not enlarge it. q . q exceeds its least value
+//    in the range by at most e^2
 //    <= 2 (11.2 u |m|)^2 + 2^-195 <= 753 u^2 |m|_m^2 + 2^-195 (it is a parabola in s; where t0 lies beyond an
 //    end and s does not, s is within the error of t0).
 //  - r^2 has a rounding, G another: u r^2 + u (r^2 + q . q).

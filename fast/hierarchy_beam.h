@@ -51,16 +51,18 @@ namespace gnomon::fast {
 ///    multiple of 2^-81), p + s is off by at most 2^-81, and lo - near_origin <= 0. In the same way far >=
 ///    f (1 - u)^4 * 12 u more: if hi - p is 0 or >= 2^-81 by the roundings (one more for the factor), else
 ///    because hi - far_origin >= 2^-81 > hi - p. And (1 + u)^4 <= (1 - u)^5 (1 + 12 u) (1 - u).
-///  - |d| < 2^-81, 0 included: the whole segment lies within 2^-81 of p on this axis. (A ray does not: a
-///    direction in the domain has to be 0 or at least 2^-81, which first-hit queries see to.) The inverse is
+///  - |d| < 2^-81, 0 included: the whole segment lies within 2^-81 of p on this axis. The inverse is
 ///    infinite: near is +infinity when lo > fl(p + s), which is at least p + 2^-81 or p itself when p and lo
-///    are multiples of 2^-80; else -infinity, or a NaN, which the kernel ignores. Far likewise.
+///    are multiples of 2^-80; else -infinity, or a NaN, which the kernel ignores. Far likewise. A ray leaves
+///    that slab unless d = 0: its inverse is a NaN then, so that the kernel ignores the axis altogether.
+/// The end 1 of a segment skips no box that it meets at a t < 1: lo lies before the light there, so that
+/// fl(lo - near_origin) <= d, near <= fl(d fl(1 / d)) and that is at most 1, as fl(1 / d) < (1 + u) / d.
 struct Beam {
   std::array<float, 3> origin, direction;
   std::array<float, 3> near_origin, far_origin, near_inverse, far_inverse;
   std::array<std::uint32_t, 3> near_row, far_row;  ///< of WideNode::bounds
   float largest;                                   ///< the largest magnitude of the direction
-  float spread;  ///< min(2 largest, sum of magnitudes): at least |d_j| + |d_k| for all j != k
+  float spread;  ///< min(2 largest, sum of magnitudes): |d_j| + |d_k| or more, j != k, but for a rounding
 
   /// `origin` and `direction` must be set: sets `largest` and `spread`, all that tests of single faces need.
   void measure() {
@@ -92,6 +94,15 @@ struct Beam {
         near_origin[k] = far_origin[k] = origin[k];
         near_inverse[k] = far_inverse[k] = 1 / (d == 0 ? 0.0f : d);
       }
+    }
+  }
+
+  /// After prepare<true>(), for rays: axes of 0 < |d| < 2^-81 exclude no box.
+  void leave_out_slow_axes() {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const float d = direction[k];
+      if (d == 0 || d >= kLeastDirection || d <= -kLeastDirection) continue;
+      near_inverse[k] = far_inverse[k] = std::numeric_limits<float>::quiet_NaN();
     }
   }
 };

@@ -11,7 +11,7 @@ namespace gnomon::fast {
 /// up, stay below 2^128 (fast/hierarchy_triangles_inl.h).
 inline constexpr float kMostMagnitude = 0x1p40f;
 
-/// How far origins are moved, and directions below which nothing is divided (fast/hierarchy_beam.cpp).
+/// How far origins are moved, and directions below which nothing is divided (fast/hierarchy_beam.h).
 inline constexpr float kOriginShift = 0x1p-80f, kLeastDirection = 0x1p-81f;
 /// What far planes' inverses are widened by.
 inline constexpr float kFarFactor = 1 + 12 * Rounding<float>::u;

@@ -248,6 +248,7 @@ class Builder {
   void fill_node(std::size_t index, const std::uint32_t* members, std::size_t count) {
     {
       WideNode& node = out_.nodes[index];
+      node.children.fill(ChildLink::leaf(scene_.triangles.empty(), 1, 0));
       for (std::size_t k = 0; k < 3; ++k) {
         node.bounds[k].fill(kInfinity);
         node.bounds[k + 3].fill(-kInfinity);

@@ -46,7 +46,8 @@ class ChildLink {
 };
 
 /// Eight closed boxes, minima in bounds[0..2] and maxima in bounds[3..5]. A missing child has the box from
-/// +infinity to -infinity, which no beam meets.
+/// +infinity to -infinity, which no beam meets unless its direction is infinite or NaN on every axis (naive
+/// beams alone); its link is a leaf's, so that their walks end, too.
 struct alignas(64) WideNode {
   std::array<Eight, 6> bounds;
   std::array<ChildLink, kWidth> children;

@@ -125,11 +125,10 @@ bool begin_shadow(const HierarchyView& hierarchy, const scene::ShadowQuery& quer
 }
 
 bool in_ray_domain(const HierarchyView& hierarchy, const scene::RayQuery& query) {
-  bool inside = hierarchy.in_domain && in_certified_domain(query.origin, query.direction);
-  for (const double d : query.direction) {
-    inside &= d == 0 || std::abs(d) >= static_cast<double>(kLeastDirection);
-  }
-  return inside;
+  double largest = 0;
+  for (const double d : query.direction) largest = std::max(largest, std::abs(d));
+  return hierarchy.in_domain && (largest == 0 || largest >= static_cast<double>(kLeastDirection)) &&
+         in_certified_domain(query.origin, query.direction);
 }
 
 template <class Tier>
@@ -143,6 +142,7 @@ bool begin_ray(const HierarchyView& hierarchy, const scene::RayQuery& query, Bea
   if (empty || hierarchy.arrays.nodes.empty()) return false;
   beam.measure();
   beam.template prepare<Tier::kCertified>();
+  if (Tier::kCertified) beam.leave_out_slow_axes();
   return true;
 }
 

@@ -120,7 +120,9 @@ HWY_INLINE LeafBits segment_triangles(const BeamVectors& beam, const TriangleBlo
 /// The ray's triangles at parameters up to `limit`, and where.
 ///
 /// With |T - exact| <= a and |D - exact| <= b < |D|, t is from (|T| - a) / (|D| + b) to (|T| + a) / (|D| -
-/// b); three roundings and one more for the factor 1 -+ 6 u. Quotients may underflow: hence the last term.
+/// b); three roundings and one more for the factor 1 -+ 6 u. Quotients may underflow: hence the last term of
+/// hi, next to which what lo may be too large by, 2^-149, is nothing. Where a quotient overflows, t is beyond
+/// 2^127: no face in the domain is met there, as p + t d is at most 2^40 and some |d_k| at least 2^-81.
 template <bool kCertified>
 HWY_INLINE LeafHits ray_triangles(const BeamVectors& beam, const TriangleBlock& block, float limit) {
   const Floats d;

@@ -243,6 +243,71 @@ TEST(FastHierarchy, CountsItsTests) {
   EXPECT_LT(counters.exact, counters.faces);
 }
 
+TEST(FastHierarchy, NaiveWalksEndWhateverTheDirection) {
+  // Directions that are infinite or NaN on all axes meet every box, those of missing children too.
+  scene::Scene scene = scene_of_triangles({{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}});
+  scene::Scene balls;
+  for (int i = 0; i < 20; ++i) balls.balls.push_back({{2.0 * i, 0, 0}, 1});
+  balls.objects.resize(1);
+  balls.objects[0].ball_count = balls.balls.size();
+  const double most = std::numeric_limits<float>::max();
+  for (const scene::Scene* each : {&scene, &balls}) {
+    const Hierarchy hierarchy(*each);
+    for (const double odd :
+         {most, std::numeric_limits<double>::infinity(), 1e300, std::numeric_limits<double>::quiet_NaN()}) {
+      for_each_target([&](const std::string& target) {
+        const scene::ShadowQuery query{{-odd, -odd, -odd}, {odd, odd, odd}};
+        EXPECT_LE(hierarchy.shadow(Tier::naive, query), ShadowAnswer::facing) << target << odd;
+        const std::uint32_t face = hierarchy.first_hit(Tier::naive, {{0, 0, 1}, {odd, -odd, odd}});
+        EXPECT_TRUE(face < each->face_count() || face == scene::kNoFace) << target << odd;
+      });
+    }
+  }
+}
+
+TEST(FastHierarchy, RaysThatHardlyMoveOnAnAxis) {
+  // Directions of about 2^-80 on one axis and less than 2^-81 on the others, which all the same lead to
+  // triangles aside; and some of them 2^-149, which leads nowhere.
+  Random random(31);
+  std::vector<std::array<Point3, 3>> triangles;
+  const auto corner = [&]() -> Point3 {
+    return {as_float(1 + random.unit()), as_float((random.unit() - 0.5) * 0x1p-3),
+            as_float((random.unit() - 0.5) * 0x1p-3)};
+  };
+  for (int i = 0; i < 60; ++i) triangles.push_back({corner(), corner(), corner()});
+  const scene::Scene scene = scene_of_triangles(triangles);
+  const Hierarchy hierarchy(scene);
+  int hits = 0, decided = 0;
+  constexpr int kRays = 500;
+  for (int i = 0; i < kRays; ++i) {
+    scene::RayQuery ray;
+    ray.direction[0] = 0x1p-80;
+    for (std::size_t k = 1; k < 3; ++k) {
+      ray.origin[k] = random.chance(30) ? 0 : as_float((random.unit() - 0.5) * 0x1p-4);
+      ray.direction[k] = as_float((random.unit() - 0.5) * 0x1p-83);
+      if (random.chance(20)) ray.direction[k] = random.chance(50) ? 0x1p-149 : -0x1p-149;
+    }
+    const auto faces = exact::first_hit_by_all_faces(scene, ray).faces;
+    const std::uint32_t right = faces.empty() ? scene::kNoFace : faces[0];
+    hits += !faces.empty();
+    for_each_target([&](const std::string& target) {
+      fast::TestCounters counters;
+      std::uint32_t found = 0;
+      hierarchy.first_hits_exact(kExactFaces, {&ray, 1}, {&found, 1}, counters);
+      EXPECT_EQ(found, right) << target << i;
+      EXPECT_LT(counters.exact, scene.face_count() / 2);
+      const std::uint32_t certified = hierarchy.first_hit(Tier::certified, ray);
+      EXPECT_TRUE(certified == right || certified == fast::kUndecidedFace) << target << i;
+      decided += certified == right;
+    });
+  }
+  EXPECT_GT(hits, kRays / 2);
+  EXPECT_GT(decided, kRays / 2);
+  // Slower on every axis nothing is decided.
+  const scene::RayQuery slow{{}, {0x1p-82, 0, 0}};
+  EXPECT_EQ(hierarchy.first_hit(Tier::certified, slow), fast::kUndecidedFace);
+}
+
 TEST(FastHierarchy, ScenesAndQueriesOutsideTheDomain) {
   scene::Scene scene = scene_of_triangles({{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}});
   const Hierarchy hierarchy(scene);
