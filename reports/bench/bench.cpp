@@ -13,10 +13,16 @@
 //     Google Benchmark on the workloads of the table
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <initializer_list>
 #include <memory>
+#include <string_view>
+#include <type_traits>
+#include <variant>
 
 #include "exact/shaft_ball.h"
 #include "exact/shaft_box.h"
@@ -274,34 +280,38 @@ int usage() {
   return 2;
 }
 
+/// An option with a number of at least 1, and where it goes.
+struct CountOption {
+  std::string_view name;
+  std::variant<int*, std::size_t*> into;
+};
+
+/// Reads the words from the third on; false when one is no such option with its number.
+bool read_counts(int argc, char** argv, std::initializer_list<CountOption> options) {
+  for (int i = 2; i < argc; i += 2) {
+    const auto* const option = std::find_if(options.begin(), options.end(),
+                                            [&](const CountOption& known) { return known.name == argv[i]; });
+    const int number = i + 1 < argc ? std::atoi(argv[i + 1]) : 0;
+    if (option == options.end() || number < 1) return false;
+    std::visit([number](auto* into) { *into = static_cast<std::remove_pointer_t<decltype(into)>>(number); },
+               option->into);
+  }
+  return true;
+}
+
 int box_and_ball(int argc, char** argv) {
   BoxAndBallOptions options;
-  for (int i = 2; i < argc; i += 2) {
-    const std::string option = argv[i];
-    const int number = i + 1 < argc ? std::atoi(argv[i + 1]) : 0;
-    if (number < 1 || (option != "--rounds" && option != "--items")) return usage();
-    if (option == "--rounds") options.rounds = number;
-    if (option == "--items") options.items = static_cast<std::size_t>(number);
-  }
+  if (!read_counts(argc, argv, {{"--rounds", &options.rounds}, {"--items", &options.items}})) return usage();
   print_box_and_ball(options);
   return 0;
 }
 
 int shadow_truth(int argc, char** argv) {
   ShadowTruthOptions options;
-  for (int i = 2; i < argc; i += 2) {
-    const std::string option = argv[i];
-    const int number = i + 1 < argc ? std::atoi(argv[i + 1]) : 0;
-    if (number < 1) return usage();
-    if (option == "--rounds") {
-      options.rounds = number;
-    } else if (option == "--queries") {
-      options.queries = static_cast<std::size_t>(number);
-    } else if (option == "--most") {
-      options.most = static_cast<std::size_t>(number);
-    } else {
-      return usage();
-    }
+  if (!read_counts(
+          argc, argv,
+          {{"--rounds", &options.rounds}, {"--queries", &options.queries}, {"--most", &options.most}})) {
+    return usage();
   }
   print_shadow_truth(options);
   return 0;
@@ -309,19 +319,9 @@ int shadow_truth(int argc, char** argv) {
 
 int shadow_tiers(int argc, char** argv) {
   ShadowTierOptions options;
-  for (int i = 2; i < argc; i += 2) {
-    const std::string option = argv[i];
-    const int number = i + 1 < argc ? std::atoi(argv[i + 1]) : 0;
-    if (number < 1) return usage();
-    if (option == "--rounds") {
-      options.rounds = number;
-    } else if (option == "--most") {
-      options.most = static_cast<std::size_t>(number);
-    } else if (option == "--side") {
-      options.side = number;
-    } else {
-      return usage();
-    }
+  if (!read_counts(argc, argv,
+                   {{"--rounds", &options.rounds}, {"--most", &options.most}, {"--side", &options.side}})) {
+    return usage();
   }
   print_shadow_tiers(options);
   return 0;

@@ -5,13 +5,14 @@
 
 #include <cstdio>
 #include <memory>
+#include <string_view>
 
 #include "exact/first_hit.h"
 #include "exact/shadow.h"
 #include "fast/hierarchy.h"
-#include "reports/bench/embree_scene.h"
 #include "reports/bench/paired.h"
 #include "reports/bench/tier_scenes.h"
+#include "reports/peers/peers.h"
 
 namespace gnomon::bench {
 
@@ -64,8 +65,8 @@ void print_scene(const TierScene& made, const ShadowTierOptions& options) {
       static_cast<double>(counters.faces) / count, static_cast<double>(counters.exact) / count, undecided,
       wrong);
   std::vector<Contender> contenders;
-  const auto add = [&](const char* name, auto run) {
-    contenders.push_back({name, [&, run](int) {
+  const auto add = [&](std::string_view name, auto run) {
+    contenders.push_back({std::string(name), [&, run](int) {
                             run();
                             benchmark::ClobberMemory();
                           }});
@@ -73,15 +74,14 @@ void print_scene(const TierScene& made, const ShadowTierOptions& options) {
   add("naive", [&] { hierarchy.shadows(fast::Hierarchy::Tier::naive, queries, answers); });
   add("certified", [&] { hierarchy.shadows(fast::Hierarchy::Tier::certified, queries, answers); });
   add("exact", [&] { hierarchy.shadows_exact(faces, queries, answers); });
-#ifdef GNOMON_HAS_EMBREE
-  std::unique_ptr<EmbreeScene> plain, robust;
-  if (scene.balls.empty()) {
-    plain = std::make_unique<EmbreeScene>(scene, false);
-    robust = std::make_unique<EmbreeScene>(scene, true);
-    add("embree", [&] { benchmark::DoNotOptimize(plain->count_shadowed(queries)); });
-    add("embree-robust", [&] { benchmark::DoNotOptimize(robust->count_shadowed(queries)); });
+  std::vector<std::unique_ptr<fuzz::SceneCaster>> peers;
+  std::vector<fuzz::Answer> peer_answers(queries.size());
+  if (reports::has_embree()) {
+    for (const fuzz::SceneMethod* method : reports::choose_scene_methods({"embree", "embree-robust"})) {
+      const fuzz::SceneCaster* const peer = peers.emplace_back(method->make(scene)).get();
+      add(method->name, [&, peer] { peer->shadows(queries, peer_answers); });
+    }
   }
-#endif
   print_order("image", queries, contenders, options.rounds);
   fuzz::CaseRandom random(6, 1, 0);
   for (std::size_t i = queries.size(); i > 1; --i) {

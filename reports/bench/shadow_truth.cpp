@@ -15,6 +15,7 @@
 #include "exact/hierarchy.h"
 #include "fuzz/random.h"
 #include "reports/bench/paired.h"
+#include "reports/peers/peers.h"
 #include "scene/scene_builder.h"
 
 namespace gnomon::bench {
@@ -135,17 +136,20 @@ double seconds_of(const std::function<void()>& work) {
 
 void print_scene(const std::string& name, const Scene& scene, const ShadowTruthOptions& options) {
   std::unique_ptr<exact::Hierarchy> hierarchy;
-  std::unique_ptr<CgalTree> tree;
+  std::unique_ptr<fuzz::SceneCaster> tree;
   const double ours = seconds_of([&] { hierarchy = std::make_unique<exact::Hierarchy>(scene); });
-  const double theirs = seconds_of([&] { tree = std::make_unique<CgalTree>(scene); });
+  const double theirs =
+      seconds_of([&] { tree = reports::choose_scene_methods({"cgal-epick"})[0]->make(scene); });
   std::vector<ShadowQuery> queries = image_queries(scene, *hierarchy, options.queries);
   std::size_t shadowed = 0, touching = 0, different = 0;
   exact::HierarchyCounters counters;
-  for (const ShadowQuery& query : queries) {
-    const exact::ShadowTruth truth = hierarchy->shadow(query, counters);
+  std::vector<fuzz::Answer> answers(queries.size());
+  tree->shadows(queries, answers);
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    const exact::ShadowTruth truth = hierarchy->shadow(queries[i], counters);
     shadowed += truth.answer == scene::Shadow::shadowed;
     touching += truth.touching;
-    different += (truth.answer == scene::Shadow::shadowed) != tree->meets(query);
+    different += static_cast<fuzz::Answer>(truth.answer) != answers[i];
   }
   const auto per_query = [&](auto value) {
     return static_cast<double>(value) / static_cast<double>(queries.size());
@@ -166,9 +170,8 @@ void print_scene(const std::string& name, const Scene& scene, const ShadowTruthO
            benchmark::DoNotOptimize(sum);
          }},
         {"AABB_tree", [&](int) {
-           std::size_t sum = 0;
-           for (const ShadowQuery& query : queries) sum += tree->meets(query);
-           benchmark::DoNotOptimize(sum);
+           tree->shadows(queries, answers);
+           benchmark::ClobberMemory();
          }}};
     const auto seconds = time_paired(contenders, options.rounds, 3, 1);
     const Median mine = median_of(seconds[0]), cgal = median_of(seconds[1]),
