@@ -8,12 +8,14 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "exact/hierarchy.h"
 #include "fuzz/random.h"
+#include "fuzz/vectors.h"
 #include "reports/bench/paired.h"
 #include "reports/peers/peers.h"
 #include "scene/scene_builder.h"
@@ -28,26 +30,14 @@ using scene::SceneBuilder;
 using scene::ShadowQuery;
 using Point = std::array<double, 3>;
 
-/// Three floats, in a function of its own: g++ 12 makes nothing of a float(x) that becomes a double at once,
-/// where it vectorises two of them (-fno-tree-slp-vectorize helps; clang does not do so).
-[[gnu::noinline]] std::array<float, 3> rounded(double x, double y, double z) {
-  return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
-}
-
-/// All coordinates are floats, as a renderer's are.
-Point as_floats(double x, double y, double z) {
-  const std::array<float, 3> p = rounded(x, y, z);
-  return {p[0], p[1], p[2]};
-}
-
-/// Hills over the unit square, two triangles a cell.
+/// Hills over the unit square, two triangles a cell. All coordinates are floats, as a renderer's are.
 Scene hills(std::size_t triangles) {
   const int n = static_cast<int>(std::lround(std::sqrt(static_cast<double>(triangles) / 2)));
   const auto at = [n](int i, int j) {
     const double x = static_cast<double>(i) / n, y = static_cast<double>(j) / n;
     const double z = 0.08 * std::sin(17 * x) * std::cos(13 * y) + 0.03 * std::sin(61 * x + 40 * y) +
                      0.01 * std::sin(150 * y - 90 * x);
-    return as_floats(x, y, z);
+    return fuzz::as_floats({x, y, z});
   };
   SceneBuilder builder;
   for (int i = 0; i < n; ++i) {
@@ -72,8 +62,8 @@ Scene spheres(std::size_t triangles) {
                  cy = random.unit<double>(), cz = r + 0.2 * random.unit<double>();
     const auto at = [&](int i, int j) {
       const double polar = M_PI * i / rows, around = M_PI * (j % (2 * rows)) / rows;
-      return as_floats(cx + r * std::sin(polar) * std::cos(around),
-                       cy + r * std::sin(polar) * std::sin(around), cz + r * std::cos(polar));
+      return fuzz::as_floats({cx + r * std::sin(polar) * std::cos(around),
+                              cy + r * std::sin(polar) * std::sin(around), cz + r * std::cos(polar)});
     };
     for (int i = 0; i < rows; ++i) {
       for (int j = 0; j < 2 * rows; ++j) {
@@ -112,8 +102,8 @@ std::vector<ShadowQuery> image_queries(const Scene& scene, const exact::Hierarch
         along += n[i] * ray.direction[i];
       }
       const double t = above / along * (1 - 1e-5);
-      queries.push_back({as_floats(eye[0] + t * ray.direction[0], eye[1] + t * ray.direction[1],
-                                   eye[2] + t * ray.direction[2]),
+      queries.push_back({fuzz::as_floats({eye[0] + t * ray.direction[0], eye[1] + t * ray.direction[1],
+                                          eye[2] + t * ray.direction[2]}),
                          light, scene::kNoFace});
     }
   }

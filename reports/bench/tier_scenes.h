@@ -10,6 +10,7 @@
 
 #include "fast/hierarchy.h"
 #include "fuzz/random.h"
+#include "fuzz/vectors.h"
 #include "scene/scene.h"
 
 namespace gnomon::bench {
@@ -19,10 +20,8 @@ struct TierScene {
   scene::Scene scene;
 };
 
-/// x rounded to a float. (Volatile: g++ 12 leaves conversions there and back out where it makes vectors.)
 inline double as_float(double x) {
-  const volatile float rounded = static_cast<float>(x);
-  return static_cast<double>(rounded);
+  return static_cast<double>(static_cast<float>(x));
 }
 
 /// Adds a grid of quads, u and v from 0 to `side`, each cut in two.
@@ -32,8 +31,7 @@ void add_sheet(scene::Scene& scene, int side, const Place& place) {
              row = static_cast<std::uint32_t>(side + 1);
   for (int i = 0; i <= side; ++i) {
     for (int j = 0; j <= side; ++j) {
-      const std::array<double, 3> p = place(i, j);
-      scene.points.push_back({as_float(p[0]), as_float(p[1]), as_float(p[2])});
+      scene.points.push_back(fuzz::as_floats(place(i, j)));
     }
   }
   for (std::uint32_t i = 0; i + 1 < row; ++i) {
