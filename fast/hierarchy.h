@@ -62,8 +62,8 @@ struct HierarchyArrays;
 ///   arithmetic. Undecided where a face that could change the answer is too close to call, and for queries
 ///   and scenes outside the domain: all numbers must be floats (doubles whose value is a float) of magnitude
 ///   at most 2^40; the largest of a ray's direction, besides, at least 2^-81 (or all 0). Thresholds hold an
-///   absolute term for underflow, 2^-104 for a product of three lengths: below scenes of about 1e-9 units with
-///   triangles of 1e-12 all is undecided.
+///   absolute term for underflow, 2^-104 for a product of three lengths: below scenes of about 1e-9 units
+///   with triangles of 1e-12 all is undecided.
 /// exact: certified, with the undecided faces handed to the predicates, so always right. Outside the domain
 ///   every face of the scene is handed over, in O(n) time.
 ///
