@@ -20,6 +20,8 @@ using FilterKernel = CGAL::Simple_cartesian<CGAL::Interval_nt<false>>;
 /// reduced, so a case costs multiplications and no greatest common divisors; denormals cost no more than
 /// other numbers.
 using ExactKernel = CGAL::Simple_cartesian<CGAL::Quotient<CGAL::Mpzf>>;
+/// The exact binary floats themselves, for what needs no division.
+using ExactFloat = CGAL::Mpzf;
 /// Reduced rationals of GMP: gaps as they are printed, and a second opinion for the tests.
 using RationalKernel = CGAL::Simple_cartesian<CGAL::Gmpq>;
 
@@ -34,6 +36,9 @@ enum class Sign : std::int8_t { negative = -1, zero = 0, positive = 1, unknown =
   return Sign::unknown;  // also for the NaN of overflowed intervals
 }
 [[nodiscard]] inline Sign sign_of(const CGAL::Quotient<CGAL::Mpzf>& x) {
+  return static_cast<Sign>(static_cast<int>(CGAL::sign(x)));
+}
+[[nodiscard]] inline Sign sign_of(const CGAL::Mpzf& x) {
   return static_cast<Sign>(static_cast<int>(CGAL::sign(x)));
 }
 [[nodiscard]] inline Sign sign_of(const CGAL::Gmpq& x) {
