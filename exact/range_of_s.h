@@ -56,6 +56,12 @@ class RangeFilter {
 
   explicit RangeFilter(Ends ends) : open_(ends == Ends::open) {}
 
+  /// The same for doubles that are off by a rounding each, and so have the right signs.
+  bool add(const LinearInS<double>& f) {
+    if (!add(f.at0, f.at1, outer_, -1)) return false;
+    if (some_ && !add(f.at0, f.at1, inner_, 1)) some_ = false;
+    return outer_.lo <= outer_.hi;
+  }
   /// False when no s is left, surely.
   bool add(const LinearInS<FT>& f) {
     if (!add(f.at0.sup(), f.at1.sup(), outer_, -1)) return false;
@@ -73,19 +79,20 @@ class RangeFilter {
     double lo = 0, hi = 1;
   };
 
-  /// Each quotient has two roundings, of 2^-52 at most in any mode, no cancellation, and may underflow:
-  /// `inwards` (1 or -1) is the way that it is pushed by more than these.
+  /// Each quotient has two roundings, and those of its numbers, of 2^-52 at most in any mode: five in all, as
+  /// nothing cancels. It may underflow, too. `inwards` (1 or -1) is the way that it is pushed by more than
+  /// these; a bound of 0 or 1 is known as such, and stays.
   bool add(double at0, double at1, Bounds& bounds, int inwards) const {
     if (at0 >= 0 && at1 >= 0) return true;
     if (!(at0 >= 0)) {
       if (!(at1 >= 0) || (open_ && at1 == 0)) return false;
       const double lo = at0 / (at0 - at1);
-      bounds.lo = std::fmax(bounds.lo, lo + inwards * (lo * 0x1p-49 + kTiny));
+      bounds.lo = at1 == 0 ? 1 : std::fmax(bounds.lo, lo + inwards * (lo * 0x1p-49 + kTiny));
       return true;
     }
     if (open_ && at0 == 0) return false;
     const double hi = at0 / (at0 - at1);
-    bounds.hi = std::fmin(bounds.hi, hi - inwards * (hi * 0x1p-49 + kTiny));
+    bounds.hi = at0 == 0 ? 0 : std::fmin(bounds.hi, hi - inwards * (hi * 0x1p-49 + kTiny));
     return true;
   }
 

@@ -244,4 +244,15 @@ Category classify(const ShaftBallCase& c) {
   return *truth_of<ExactKernel>(scaled.c);
 }
 
+bool meets(const ShaftBallCase& c) {
+  const Scaled<ShaftBallCase> scaled(c);
+  Sign distance = Sign::unknown;
+  {
+    const CGAL::Interval_nt<false>::Protector upward;
+    distance = distance_sign<FilterKernel>(scaled.c);
+  }
+  if (distance == Sign::unknown) distance = distance_sign<ExactKernel>(scaled.c);
+  return distance != Sign::positive;
+}
+
 }  // namespace gnomon::exact

@@ -31,6 +31,9 @@ std::uint64_t refer(std::span<const scene::ShaftBallCase> cases, std::span<Shaft
 /// The truth of one case: the exact predicate that the exact tier hands its undecided cases to.
 [[nodiscard]] scene::Category classify(const scene::ShaftBallCase& c);
 
+/// True when the ball has a point in common with the shaft: the truth is not `outside`.
+[[nodiscard]] bool meets(const scene::ShaftBallCase& c);
+
 /// The gap to a boundary, a squared length. Outside: d^2 - r^2, d the distance from the centre to the shaft.
 /// Inside: the maximum over extent sides and planes of -(v^2 / |n|^2 - r^2) where v <= 0, and v^2 / |n|^2 +
 /// r^2 where v > 0.
