@@ -156,10 +156,9 @@ std::optional<bool> blocks_surely(const SixPoints& points, const Ball<double>& b
   const Vector<FT> c = vector_of<FT>(ball.centre);
   const Six<FT> v = six<FT>(points);
   RangeFilter range(Ends::open);
-  SegmentsOverS<FT>({v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {c, c, c}).for_each([&](const LinearInS<FT>& f) {
-    return range.add(f);
-  });
-  if (range.has_some()) return true;
+  const bool may_hold = SegmentsOverS<FT>({v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {c, c, c})
+                            .for_each([&](const LinearInS<FT>& f) { return range.add(f); });
+  if (may_hold && range.has_some()) return true;
   return std::nullopt;
 }
 
