@@ -13,6 +13,11 @@ namespace gnomon::scene {
 
 namespace {
 
+/// True for the words of a set whose end is still to come.
+bool is_open_set(std::string_view answer) {
+  return answer.front() == '{' && answer.back() != '}';
+}
+
 CorpusLine parse_line(std::string_view text, std::string_view file, std::size_t line) {
   CorpusLine result;
   result.file = file;
@@ -25,6 +30,8 @@ CorpusLine parse_line(std::string_view text, std::string_view file, std::size_t 
     if (word == "->") {
       if (arrow) result.fail("one \"->\"", "a second one");
       arrow = true;
+    } else if (arrow && result.answer && is_open_set(*result.answer)) {
+      *result.answer += ' ' + word;
     } else if (arrow) {
       if (result.answer) result.fail("one answer after \"->\"", in_quotes(word) + " after it");
       result.answer = word;
@@ -33,6 +40,7 @@ CorpusLine parse_line(std::string_view text, std::string_view file, std::size_t 
     }
   }
   if (arrow && !result.answer) result.fail("an answer after \"->\"", "the end of the line");
+  if (result.answer && is_open_set(*result.answer)) result.fail("a \"}\" after \"{\"", "the end of the line");
   if (result.words.empty()) result.fail("a question and its numbers", in_quotes(result.question) + " alone");
   return result;
 }
