@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The registry rows of shaft-candidates and patch-pair. Adding a method is a finder or judge (a file) and a
+// row in its table.
+#include <numeric>
+
+#include "fuzz/pair_method.h"
+
+namespace gnomon::fuzz {
+namespace {
+
+constexpr std::string_view kAllFloats = "all finite floats";
+
+class AllFaces final : public CandidateFinder {
+ public:
+  explicit AllFaces(std::size_t count) : count_(count) {}
+  void faces(const BoxPair& /*pair*/, std::vector<std::uint32_t>& out) const override {
+    out.resize(count_);
+    std::iota(out.begin(), out.end(), 0u);
+  }
+
+ private:
+  std::size_t count_;
+};
+
+std::unique_ptr<CandidateFinder> make_all_faces(const scene::Scene& scene) {
+  return std::make_unique<AllFaces>(scene.face_count());
+}
+
+class AlwaysPart final : public PairJudge {
+ public:
+  [[nodiscard]] Answer visibility(const scene::PatchPair& /*pair*/) const override {
+    return static_cast<Answer>(scene::PairVisibility::part);
+  }
+};
+
+std::unique_ptr<PairJudge> make_always_part(const scene::Scene& /*scene*/) {
+  return std::make_unique<AlwaysPart>();
+}
+
+const CandidateMethod kCandidateRows[] = {
+    {"trivial", "trivial", Promise::never_unsound, kAllFloats, "every face of the scene", make_all_faces},
+};
+
+const PairMethod kPairRows[] = {
+    {"trivial", "trivial", Promise::never_unsound, kAllFloats, "always part", make_always_part},
+};
+
+}  // namespace
+
+std::span<const CandidateMethod> candidate_methods() {
+  return kCandidateRows;
+}
+
+std::span<const PairMethod> pair_methods() {
+  return kPairRows;
+}
+
+}  // namespace gnomon::fuzz
