@@ -80,7 +80,7 @@ Theorem own_solid_of_the_emitter_hides_nothing hs e q p s : In e hs -> 0 <= valu
   ~ solid hs (between s q p).
 Proof. intros I Q P Hs K; specialize (K e I); rewrite value_between in K; unfold lerp in K; nra. Qed.
 
-(** Where q is inside, all is lost: to its centre the cube [-1, 1]^3 has back faces alone, and hides it from (3, 0, 0). *)
+(** Where q is inside, all is lost: to its centre the cube [-1, 1]^3 has back faces alone, and hides (3, 0, 0). *)
 Definition axis_half i c r := Half (fun j => if axis_eqb i j then c else 0) r.
 Definition cube_faces := [axis_half X 1 1; axis_half X (-1) 1; axis_half Y 1 1; axis_half Y (-1) 1;
                           axis_half Z 1 1; axis_half Z (-1) 1].
