@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// One end of a batch of rays: points, and what is known of the face that they lie on.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "fast/strict_float.h"
+#include "scene/face_run.h"
+
+namespace gnomon::fast {
+
+/// The plane of an own triangle: a corner, and the normal from double precision.
+struct OwnPlane {
+  std::array<float, 3> corner{}, normal{};
+  float error = 0;           ///< N of fast/hierarchy_triangles_inl.h
+  bool none_behind = false;  ///< known: every point lies on the plane or in front of it, exactly
+};
+
+/// Points as arrays of coordinates. Made by PairCaster::prepare; for one caster only.
+struct PairPatch {
+  /// Points that follow the last one, equal to it, so that whole vectors may be read from any point on.
+  static constexpr std::size_t kPadding = 16;
+
+  std::array<std::vector<float>, 3> coordinates;  ///< count + kPadding of each
+  std::size_t count = 0;
+  std::array<float, 6> box{};  ///< minima, then maxima; of no meaning without points
+  bool finite = true;          ///< all coordinates are
+  bool in_domain = true;       ///< all are at most kMostMagnitude
+  scene::FaceRun own;
+  scene::FaceRun convex;  ///< all triangles of the own triangle's object when that is convex, else none
+  OwnPlane plane;
+
+  /// Takes the points and the box. Allocates nothing when there is room from before.
+  void assign(std::span<const std::array<float, 3>> points, scene::FaceRun own_run);
+  [[nodiscard]] std::array<float, 3> point(std::size_t i) const {
+    return {coordinates[0][i], coordinates[1][i], coordinates[2][i]};
+  }
+};
+
+}  // namespace gnomon::fast

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+//
+// THE SIDE OF A POINT, from double precision, v = 2^-53: N . (p - a) with N = e1 x e2 is a sum of six
+// products of three differences of floats. Each difference is off by at most v of itself, a product of three
+// by two more roundings, the difference in a component of N by another, and the sum by two: each of the six
+// products is off by g_v(3 + 2 + 1 + 2) of itself, so that
+//     |computed - exact| <= g_v(8) S,   S the sum of the products' magnitudes,
+// and S computed in the same way is at least (1 - g_v(8)) S. 10 v S is room for all. Products of three floats
+// are at least 2^-447 and at most 2^123: there is neither underflow nor overflow. S = 0 makes it exact.
+#include "fast/pair_plane.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fast/hierarchy_leaves.h"
+
+namespace gnomon::fast {
+
+namespace {
+
+using Vector = std::array<double, 3>;
+
+/// n = e1 x e2, and the same with the magnitudes added.
+struct Normal {
+  Vector corner, value, sum;
+
+  Normal(const Vector& a, const Vector& b, const Vector& c) : corner(a) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+      const double x = (b[i] - a[i]) * (c[j] - a[j]), y = (b[j] - a[j]) * (c[i] - a[i]);
+      value[k] = x - y;
+      sum[k] = std::abs(x) + std::abs(y);
+    }
+  }
+  /// True when there is a normal for certain.
+  [[nodiscard]] bool exists() const {
+    constexpr double v = Rounding<double>::u;
+    bool any = false;
+    for (std::size_t k = 0; k < 3; ++k) any |= std::abs(value[k]) > 10 * v * sum[k];
+    return any;
+  }
+};
+
+}  // namespace
+
+void set_own_plane(const scene::Scene& scene, PairPatch& patch) {
+  constexpr double v = Rounding<double>::u;
+  OwnPlane& plane = patch.plane;
+  for (std::uint32_t i = 0; i < patch.own.count && patch.own.first + i < scene.triangles.size(); ++i) {
+    const std::uint32_t face = patch.own.first + i;
+    const Normal normal(scene.corner(face, 0), scene.corner(face, 1), scene.corner(face, 2));
+    if (!normal.exists()) continue;
+    std::array<std::uint32_t, kWidth> faces;
+    faces.fill(face);
+    // With the same error constants as in leaves.
+    const TriangleBlock block = make_triangle_block(scene, faces);
+    for (std::size_t k = 0; k < 3; ++k) {
+      plane.corner[k] = block.v0[k][0];
+      plane.normal[k] = block.normal[k][0];
+    }
+    plane.error = block.normal_error[0];
+    plane.none_behind = true;
+    for (std::size_t p = 0; p < patch.count && plane.none_behind; ++p) {
+      double value = 0, sum = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double x = static_cast<double>(patch.coordinates[k][p]) - normal.corner[k];
+        value += normal.value[k] * x;
+        sum += normal.sum[k] * std::abs(x);
+      }
+      plane.none_behind = sum == 0 || value > 10 * v * sum;
+    }
+    return;
+  }
+}
+
+}  // namespace gnomon::fast

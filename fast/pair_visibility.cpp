@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#include "fast/pair_visibility.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "fast/hierarchy_bounds.h"
+#include "fast/hierarchy_build.h"
+#include "fast/is_float.h"
+#include "fast/pair_plane.h"
+#include "fast/pair_tile.h"
+
+namespace gnomon::fast {
+
+using scene::PairVisibility;
+
+PairScratch::PairScratch() : data_(std::make_unique<Data>()) {}
+PairScratch::~PairScratch() = default;
+PairScratch::PairScratch(PairScratch&&) noexcept = default;
+PairScratch& PairScratch::operator=(PairScratch&&) noexcept = default;
+
+namespace {
+
+bool checked(double x) {
+  if (!is_float(x)) {
+    throw std::runtime_error("a caster of pairs in floats needs a scene whose coordinates are floats");
+  }
+  return std::abs(x) <= static_cast<double>(kMostMagnitude);
+}
+
+}  // namespace
+
+PairCaster::PairCaster(const scene::Scene& scene, std::span<const std::uint8_t> convex_objects)
+    : scene_(scene) {
+  for (const auto& point : scene.points) {
+    for (const double x : point) in_domain_ &= checked(x);
+  }
+  for (const auto& ball : scene.balls) {
+    for (const double x : ball.centre) in_domain_ &= checked(x);
+    in_domain_ &= checked(ball.radius);
+  }
+  for (std::size_t i = 0; i < scene.objects.size() && i < convex_objects.size(); ++i) {
+    const scene::Object& object = scene.objects[i];
+    if (convex_objects[i] == 0 || object.triangle_count == 0) continue;
+    convex_runs_.push_back({static_cast<std::uint32_t>(object.first_triangle),
+                            static_cast<std::uint32_t>(object.triangle_count)});
+  }
+  arrays_ = std::make_unique<const HierarchyArrays>(build_hierarchy(scene));
+}
+
+PairCaster::~PairCaster() = default;
+
+std::size_t PairCaster::bytes() const {
+  return arrays_->nodes.capacity() * sizeof(WideNode) +
+         arrays_->triangles.capacity() * sizeof(TriangleBlock) +
+         arrays_->balls.capacity() * sizeof(BallBlock) + arrays_->places.capacity() * sizeof(FacePlace);
+}
+
+namespace {
+
+/// Answers without the tree: by the predicate alone, or not at all.
+PairResult by_all_faces(const scene::Scene& scene, const PairPatch& from, const PairPatch& to,
+                        const ExactFaces* exact, std::span<ShadowAnswer> answers, PairCounters* counters) {
+  for (std::size_t i = 0; i < from.count; ++i) {
+    for (std::size_t k = 0; k < to.count; ++k) {
+      scene::ShadowQuery query;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        query.point[axis] = static_cast<double>(from.coordinates[axis][i]);
+        query.light[axis] = static_cast<double>(to.coordinates[axis][k]);
+      }
+      ShadowAnswer& answer = answers[i * to.count + k];
+      const auto finite = [](const std::array<double, 3>& p) {
+        return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+      };
+      if (exact == nullptr || !finite(query.point) || !finite(query.light)) {
+        answer = ShadowAnswer::undecided;
+        continue;
+      }
+      answer = ShadowAnswer::lit;
+      for (std::uint32_t face = 0; face < scene.face_count() && answer == ShadowAnswer::lit; ++face) {
+        if (from.own.contains(face) || to.own.contains(face)) continue;
+        if (counters != nullptr) ++counters->exact;
+        if (exact->blocks(scene, face, query)) answer = ShadowAnswer::shadowed;
+      }
+    }
+  }
+  return {};
+}
+
+struct Call {
+  const scene::Scene& scene;
+  const HierarchyArrays& arrays;
+  bool in_domain;
+  Hierarchy::Tier tier;
+  const ExactFaces* exact;
+};
+
+PairResult answer_pair(const Call& call, const PairPatch& from, const PairPatch& to, PairScratch& scratch,
+                       std::span<ShadowAnswer> answers, PairCounters* counters) {
+  PairScratch::Data& data = scratch.data();
+  if (data.owner != &call.arrays) {
+    data.owner = &call.arrays;
+    data.last_blocker = {};
+  }
+  PairResult result;
+  if (from.count == 0 || to.count == 0) {
+    result.visibility = PairVisibility::all;
+  } else if (call.tier == Hierarchy::Tier::certified && !(call.in_domain && from.in_domain && to.in_domain)) {
+    result = by_all_faces(call.scene, from, to, call.exact, answers, counters);
+  } else if (call.arrays.nodes.empty()) {
+    std::fill(answers.begin(), answers.end(), ShadowAnswer::lit);
+    result.visibility = PairVisibility::all;
+  } else {
+    result = run_pair(call.tier, {call.scene, call.arrays}, from, to, data, answers, call.exact, counters);
+  }
+  if (counters != nullptr) {
+    ++counters->pairs;
+    counters->rays += from.count * to.count;
+    counters->all += result.visibility == PairVisibility::all;
+    counters->none += result.visibility == PairVisibility::none;
+  }
+  return result;
+}
+
+}  // namespace
+
+void PairCaster::prepare(std::span<const std::array<float, 3>> points, scene::FaceRun own,
+                         PairPatch& patch) const {
+  patch.assign(points, own);
+  if (!patch.in_domain || !in_domain_ || own.first >= scene_.triangles.size()) return;
+  set_own_plane(scene_, patch);
+  const auto after =
+      std::upper_bound(convex_runs_.begin(), convex_runs_.end(), own.first,
+                       [](std::uint32_t first, const scene::FaceRun& run) { return first < run.first; });
+  if (after == convex_runs_.begin() || !std::prev(after)->contains(own.first) || own.count == 0) return;
+  // Leaving the object out must leave out the whole run.
+  if (std::prev(after)->contains(own.first + own.count - 1)) patch.convex = *std::prev(after);
+}
+
+PairPatch PairCaster::prepare(std::span<const std::array<float, 3>> points, scene::FaceRun own) const {
+  PairPatch patch;
+  prepare(points, own, patch);
+  return patch;
+}
+
+PairResult PairCaster::shadows_naive(const PairPatch& from, const PairPatch& to, PairScratch& scratch,
+                                     std::span<ShadowAnswer> answers, PairCounters* counters) const {
+  return answer_pair({scene_, *arrays_, in_domain_, Hierarchy::Tier::naive, nullptr}, from, to, scratch,
+                     answers, counters);
+}
+PairResult PairCaster::shadows_certified(const PairPatch& from, const PairPatch& to, PairScratch& scratch,
+                                         std::span<ShadowAnswer> answers, PairCounters* counters) const {
+  return answer_pair({scene_, *arrays_, in_domain_, Hierarchy::Tier::certified, nullptr}, from, to, scratch,
+                     answers, counters);
+}
+PairResult PairCaster::shadows_exact(const ExactFaces& faces, const PairPatch& from, const PairPatch& to,
+                                     PairScratch& scratch, std::span<ShadowAnswer> answers,
+                                     PairCounters* counters) const {
+  return answer_pair({scene_, *arrays_, in_domain_, Hierarchy::Tier::certified, &faces}, from, to, scratch,
+                     answers, counters);
+}
+
+PairResult PairCaster::shadows_naive(const RayBatch& batch, PairScratch& scratch,
+                                     std::span<ShadowAnswer> answers, PairCounters* counters) const {
+  PairScratch::Data& data = scratch.data();
+  prepare(batch.from, batch.own_from, data.from);
+  prepare(batch.to, batch.own_to, data.to);
+  return shadows_naive(data.from, data.to, scratch, answers, counters);
+}
+PairResult PairCaster::shadows_certified(const RayBatch& batch, PairScratch& scratch,
+                                         std::span<ShadowAnswer> answers, PairCounters* counters) const {
+  PairScratch::Data& data = scratch.data();
+  prepare(batch.from, batch.own_from, data.from);
+  prepare(batch.to, batch.own_to, data.to);
+  return shadows_certified(data.from, data.to, scratch, answers, counters);
+}
+PairResult PairCaster::shadows_exact(const ExactFaces& faces, const RayBatch& batch, PairScratch& scratch,
+                                     std::span<ShadowAnswer> answers, PairCounters* counters) const {
+  PairScratch::Data& data = scratch.data();
+  prepare(batch.from, batch.own_from, data.from);
+  prepare(batch.to, batch.own_to, data.to);
+  return shadows_exact(faces, data.from, data.to, scratch, answers, counters);
+}
+
+void PairCaster::candidates(const PairPatch& from, const PairPatch& to, PairScratch& scratch,
+                            std::vector<std::uint32_t>& faces) const {
+  faces.clear();
+  if (from.count == 0 || to.count == 0) return;
+  if (in_domain_ && from.in_domain && to.in_domain) {
+    if (!arrays_->nodes.empty()) run_candidates({scene_, *arrays_}, from, to, scratch.data(), faces);
+    return;
+  }
+  for (std::uint32_t face = 0; face < scene_.face_count(); ++face) {
+    if (!from.own.contains(face) && !to.own.contains(face)) faces.push_back(face);
+  }
+}
+
+}  // namespace gnomon::fast

@@ -1,0 +1,423 @@
+// SPDX-License-Identifier: MIT
+// Walks the tree with the shaft of many rays, and tests them against the faces that it meets.
+#include <algorithm>
+#include <bit>
+
+#include "fast/hierarchy_query.h"
+#include "fast/pair_shaft.h"
+#include "fast/pair_tile.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "fast/pair_walk.cpp"
+#include <hwy/foreach_target.h>
+
+#include "fast/pair_cull_inl.h"
+#include "fast/pair_rays_inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gnomon::fast {
+namespace HWY_NAMESPACE {
+
+/// The bounds of what a pair's rays can meet: for the whole pair, or for a tile.
+struct Bundle {
+  PairShaft shaft;
+  CentredBox from, to;
+
+  Bundle(const std::array<float, 6>& a, const std::array<float, 6>& b) : shaft(a, b), from(a), to(b) {}
+};
+
+/// Faces that no ray can meet whatever the floats say.
+struct Skipped {
+  scene::FaceRun from, to;
+};
+
+/// True when no point of the plane's patch lies behind it and all points of the box lie in front, strictly:
+/// every inner point of a ray then lies in front, strictly.
+inline bool leaves_on_one_side(const OwnPlane& plane, const CentredBox& box) {
+  float value = 0, reach = 0, c_most = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const float c = box.centre[k] - plane.corner[k], n = plane.normal[k];
+    value += n * c;
+    reach += (n < 0 ? -n : n) * box.half[k];
+    const float magnitude = c < 0 ? -c : c;
+    c_most = magnitude > c_most ? magnitude : c_most;
+  }
+  // As for Sides, which has v0 - o for c: the value's sign is the other one here.
+  const float error =
+      reach * (1 + 8 * Rounding<float>::u) + plane.error * (c_most + box.half_most) + kTriangleUnderflow;
+  return plane.none_behind && value > error;
+}
+
+inline Skipped skipped_faces(const PairPatch& from, const PairPatch& to, const Bundle& bundle) {
+  return {from.convex.count != 0 && leaves_on_one_side(from.plane, bundle.to) ? from.convex : from.own,
+          to.convex.count != 0 && leaves_on_one_side(to.plane, bundle.from) ? to.convex : to.own};
+}
+
+/// Lanes of a leaf that the bundle's rays may meet.
+HWY_INLINE std::uint32_t candidate_lanes(const HierarchyArrays& arrays, const Bundle& bundle,
+                                         const Skipped& skipped, ChildLink link) {
+  if (link.has_balls()) {
+    const BallBlock& block = arrays.balls[link.block()];
+    return link.lanes() & lanes_outside(skipped.from, block.face) & lanes_outside(skipped.to, block.face);
+  }
+  const TriangleBlock& block = arrays.triangles[link.block()];
+  return link.lanes() & lanes_outside(skipped.from, block.face) & lanes_outside(skipped.to, block.face) &
+         triangles_between(bundle.from, bundle.to, block);
+}
+
+/// Appends the children that the shaft may meet.
+HWY_INLINE ChildLink* push_children(const PairShaft& shaft, const WideNode& node, ChildLink* top) {
+  const Floats d;
+  const hn::Rebind<std::uint32_t, Floats> d_links;
+  const auto* links = reinterpret_cast<const std::uint32_t*>(node.children.data());
+  for (std::size_t at = 0; at < kWidth; at += hn::Lanes(d)) {
+    const auto kept = hn::RebindMask(d_links, boxes_in_shaft(shaft, node, at));
+    hn::StoreU(hn::Compress(hn::Load(d_links, links + at), kept), d_links,
+               reinterpret_cast<std::uint32_t*>(top));
+    top += hn::CountTrue(d_links, kept);
+  }
+  return top;
+}
+
+/// How many links to part a pair's tree into before its tiles go on by themselves.
+inline constexpr std::size_t kSharedLinks = 24;
+
+template <class Tier>
+class PairWalk {
+ public:
+  PairWalk(const PairView& view, const PairPatch& from, const PairPatch& to, PairScratch::Data& scratch,
+           const ExactFaces* exact)
+      : view_(view), arrays_(view.arrays), from_(from), to_(to), scratch_(scratch), exact_(exact) {}
+
+  PairResult run(std::span<ShadowAnswer> answers);
+  void add_to(PairCounters& counters) const {
+    counters.nodes += counts_.nodes;
+    counters.leaves += counts_.leaves;
+    counters.faces += counts_.faces;
+    counters.tests += counts_.tests;
+    counters.exact += counts_.exact;
+  }
+
+ private:
+  /// Fills scratch.links; false when nothing can block.
+  bool share_walk(const Bundle& bundle);
+  void run_tile(const Bundle& bundle, std::span<const ChildLink> links);
+  bool test_leaf(ChildLink link, std::uint32_t lanes);
+  bool test_triangle(ChildLink link, std::uint32_t lane);
+  void test_balls(ChildLink link, std::uint32_t lanes);
+  void resolve();
+  void store(std::span<ShadowAnswer> answers) const;
+
+  const PairView& view_;
+  const HierarchyArrays& arrays_;
+  const PairPatch &from_, &to_;
+  PairScratch::Data& scratch_;
+  const ExactFaces* exact_;
+  Skipped skipped_;
+  TileShape shape_{};
+  std::size_t first_from_ = 0, first_to_ = 0;  ///< the tile's points
+  PairCounters counts_;
+  RayTile tile_;
+  std::uint32_t valid_ = 0, live_ = 0, shadowed_ = 0, undecided_ = 0;
+  std::uint32_t blocks_all_ = scene::kNoFace;  ///< a face that alone blocks all rays of the tile
+  bool any_candidate_ = false;
+};
+
+template <class Tier>
+bool PairWalk<Tier>::share_walk(const Bundle& bundle) {
+  // First in, first out, so that what stays closed is of one size.
+  std::vector<ChildLink>& links = scratch_.links;
+  links.resize(8 * kSharedLinks + 64);
+  ChildLink* const begin = links.data();
+  std::size_t head = 0, tail = 0, leaves = 0;
+  ChildLink queue[16 * kSharedLinks];
+  queue[tail++] = ChildLink::node(0);
+  while (head < tail && tail - head + leaves < kSharedLinks && tail + kWidth <= 15 * kSharedLinks) {
+    const ChildLink link = queue[head++];
+    if (link.is_leaf()) {
+      ++counts_.leaves;
+      if (candidate_lanes(arrays_, bundle, skipped_, link) != 0) begin[leaves++] = link;
+    } else {
+      ++counts_.nodes;
+      tail = static_cast<std::size_t>(push_children(bundle.shaft, arrays_.nodes[link.index()], queue + tail) -
+                                      queue);
+    }
+  }
+  for (; head < tail; ++head) begin[leaves++] = queue[head];
+  links.resize(leaves);
+  return leaves != 0;
+}
+
+template <class Tier>
+bool PairWalk<Tier>::test_triangle(ChildLink link, std::uint32_t lane) {
+  const TriangleBlock& block = arrays_.triangles[link.block()];
+  counts_.tests += kTileRays;
+  const RayBits bits = rays_on_triangle<Tier::kCertified>(tile_, block, lane);
+  const std::uint32_t certain = bits.certain & live_;
+  if (certain != 0) {
+    scratch_.last_blocker = {link, lane};
+    if ((bits.certain & valid_) == valid_) blocks_all_ = block.face[lane];
+    shadowed_ |= certain;
+    live_ &= ~certain;
+  }
+  if (Tier::kCertified) {
+    const std::uint32_t open = bits.possible & live_;
+    if (open != 0) scratch_.open.push_back({block.face[lane], open});
+  }
+  return live_ == 0;
+}
+
+template <class Tier>
+void PairWalk<Tier>::test_balls(ChildLink link, std::uint32_t lanes) {
+  const BallBlock& block = arrays_.balls[link.block()];
+  std::uint32_t all = lanes;  // that block every ray
+  for (std::uint32_t rays = valid_ & live_; rays != 0; rays &= rays - 1) {
+    const auto ray = static_cast<std::size_t>(std::countr_zero(rays));
+    counts_.tests += static_cast<std::uint64_t>(std::popcount(lanes));
+    const LeafBits bits = segment_balls<Tier::kCertified>(BeamVectors(beam_of(tile_, ray)), block);
+    all &= bits.certain;
+    if ((bits.certain & lanes) != 0) {
+      shadowed_ |= 1u << ray;
+    } else if (Tier::kCertified) {
+      for (std::uint32_t open = bits.possible & lanes; open != 0; open &= open - 1) {
+        scratch_.open.push_back({block.face[static_cast<std::size_t>(std::countr_zero(open))], 1u << ray});
+      }
+    }
+  }
+  if (live_ == valid_ && all != 0) {
+    blocks_all_ = block.face[static_cast<std::size_t>(std::countr_zero(all))];
+  }
+  live_ &= ~shadowed_;
+}
+
+template <class Tier>
+bool PairWalk<Tier>::test_leaf(ChildLink link, std::uint32_t lanes) {
+  if (link.has_balls()) {
+    test_balls(link, lanes);
+    return live_ == 0;
+  }
+  for (; lanes != 0; lanes &= lanes - 1) {
+    if (test_triangle(link, static_cast<std::uint32_t>(std::countr_zero(lanes)))) return true;
+  }
+  return false;
+}
+
+template <class Tier>
+void PairWalk<Tier>::run_tile(const Bundle& bundle, std::span<const ChildLink> links) {
+  const LeafLane last = scratch_.last_blocker;
+  if (last.lane != kWidth) {
+    const std::uint32_t face = arrays_.triangles[last.link.block()].face[last.lane];
+    if (!skipped_.from.contains(face) && !skipped_.to.contains(face)) {
+      any_candidate_ = true;
+      if (test_triangle(last.link, last.lane)) return;
+    }
+  }
+  ChildLink stack[kStackSize];
+  for (const ChildLink start : links) {
+    ChildLink* top = stack;
+    ChildLink link = start;
+    for (;;) {
+      if (!link.is_leaf()) {
+        ++counts_.nodes;
+        top = push_children(bundle.shaft, arrays_.nodes[link.index()], top);
+      } else {
+        ++counts_.leaves;
+        const std::uint32_t lanes = candidate_lanes(arrays_, bundle, skipped_, link);
+        if (lanes != 0) {
+          any_candidate_ = true;
+          counts_.faces += static_cast<std::uint64_t>(std::popcount(lanes));
+          if (test_leaf(link, lanes)) return;
+        }
+      }
+      if (top == stack) break;
+      link = *--top;
+    }
+  }
+}
+
+/// The rays that are still open, by the predicate if there is one.
+template <class Tier>
+void PairWalk<Tier>::resolve() {
+  for (const OpenFace& open : scratch_.open) {
+    if (exact_ == nullptr) {
+      undecided_ |= open.lanes & live_;
+      continue;
+    }
+    for (std::uint32_t rays = open.lanes & live_; rays != 0; rays &= rays - 1) {
+      const auto ray = static_cast<std::size_t>(std::countr_zero(rays));
+      scene::ShadowQuery query;
+      for (std::size_t k = 0; k < 3; ++k) {
+        query.point[k] = static_cast<double>(tile_.origin[k][ray]);
+      }
+      // The light is not the sum of origin and direction, which was rounded.
+      const std::size_t to = first_to_ + ray % shape_.to_count;
+      for (std::size_t k = 0; k < 3; ++k) query.light[k] = static_cast<double>(to_.coordinates[k][to]);
+      ++counts_.exact;
+      if (exact_->blocks(view_.scene, open.face, query)) {
+        shadowed_ |= 1u << ray;
+        live_ &= ~(1u << ray);
+      }
+    }
+  }
+}
+
+template <class Tier>
+void PairWalk<Tier>::store(std::span<ShadowAnswer> answers) const {
+  const std::size_t rows = std::min(shape_.from_count, from_.count - first_from_),
+                    columns = std::min(shape_.to_count, to_.count - first_to_);
+  for (std::size_t i = 0; i < rows; ++i) {
+    ShadowAnswer* const row = answers.data() + (first_from_ + i) * to_.count + first_to_;
+    for (std::size_t k = 0; k < columns; ++k) {
+      const std::size_t ray = i * shape_.to_count + k;
+      row[k] = static_cast<ShadowAnswer>((shadowed_ >> ray & 1u) + 3 * (undecided_ >> ray & 1u));
+    }
+  }
+}
+
+inline void fill_boxes(const PairPatch& patch, std::size_t step, std::vector<std::array<float, 6>>& boxes) {
+  boxes.clear();
+  for (std::size_t first = 0; first < patch.count; first += step) {
+    std::array<float, 6> box;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const float* const x = patch.coordinates[k].data() + first;
+      float lo = x[0], hi = x[0];
+      // Beyond the last point are copies of it.
+      for (std::size_t i = 1; i < step; ++i) {
+        lo = x[i] < lo ? x[i] : lo;
+        hi = x[i] > hi ? x[i] : hi;
+      }
+      box[k] = lo;
+      box[k + 3] = hi;
+    }
+    boxes.push_back(box);
+  }
+}
+
+template <class Tier>
+PairResult PairWalk<Tier>::run(std::span<ShadowAnswer> answers) {
+  shape_ = best_tile_shape(from_.count, to_.count);
+  const auto shape = static_cast<std::size_t>(std::countr_zero(shape_.to_count));
+  const bool single = from_.count <= shape_.from_count && to_.count <= shape_.to_count;
+  const Bundle bundle(from_.box, to_.box);
+  skipped_ = skipped_faces(from_, to_, bundle);
+  const ChildLink root = ChildLink::node(0);
+  std::span<const ChildLink> links{&root, 1};
+  if (!single) {
+    if (!share_walk(bundle)) {
+      std::fill(answers.begin(), answers.end(), ShadowAnswer::lit);
+      return {scene::PairVisibility::all};
+    }
+    links = scratch_.links;
+    fill_boxes(from_, shape_.from_count, scratch_.from_boxes);
+    fill_boxes(to_, shape_.to_count, scratch_.to_boxes);
+  }
+  std::uint32_t common = scene::kNoFace;
+  bool has_common = true, first = true;
+  for (first_from_ = 0; first_from_ < from_.count; first_from_ += shape_.from_count) {
+    for (first_to_ = 0; first_to_ < to_.count; first_to_ += shape_.to_count) {
+      const std::size_t rows = std::min(shape_.from_count, from_.count - first_from_),
+                        columns = std::min(shape_.to_count, to_.count - first_to_);
+      // Copies of the last points are left out.
+      valid_ = 0;
+      for (std::size_t i = 0; i < rows; ++i) valid_ |= ((1u << columns) - 1) << (i * shape_.to_count);
+      live_ = valid_ & fill_tile(from_, first_from_, to_, first_to_, shape, tile_);
+      shadowed_ = undecided_ = 0;
+      blocks_all_ = scene::kNoFace;
+      scratch_.open.clear();
+      if (live_ != 0) {
+        if (single) {
+          run_tile(bundle, links);
+        } else {
+          run_tile(Bundle(scratch_.from_boxes[first_from_ / shape_.from_count],
+                          scratch_.to_boxes[first_to_ / shape_.to_count]),
+                   links);
+        }
+        resolve();
+      }
+      has_common &= blocks_all_ != scene::kNoFace && (first || blocks_all_ == common);
+      common = blocks_all_;
+      first = false;
+      store(answers);
+    }
+  }
+  return {has_common        ? scene::PairVisibility::none
+          : !any_candidate_ ? scene::PairVisibility::all
+                            : scene::PairVisibility::part};
+}
+
+template <class Tier>
+PairResult run(const PairView& view, const PairPatch& from, const PairPatch& to, PairScratch::Data& scratch,
+               std::span<ShadowAnswer> answers, const ExactFaces* exact, PairCounters* counters) {
+  PairWalk<Tier> walk(view, from, to, scratch, exact);
+  const PairResult result = walk.run(answers);
+  if (counters != nullptr) walk.add_to(*counters);
+  return result;
+}
+
+PairResult run_naive(const PairView& view, const PairPatch& from, const PairPatch& to,
+                     PairScratch::Data& scratch, std::span<ShadowAnswer> answers, const ExactFaces* exact,
+                     PairCounters* counters) {
+  return run<NaiveTier>(view, from, to, scratch, answers, exact, counters);
+}
+PairResult run_certified(const PairView& view, const PairPatch& from, const PairPatch& to,
+                         PairScratch::Data& scratch, std::span<ShadowAnswer> answers, const ExactFaces* exact,
+                         PairCounters* counters) {
+  return run<CertifiedTier>(view, from, to, scratch, answers, exact, counters);
+}
+
+void list_candidates(const PairView& view, const PairPatch& from, const PairPatch& to,
+                     PairScratch::Data& /*scratch*/, std::vector<std::uint32_t>& faces) {
+  const HierarchyArrays& arrays = view.arrays;
+  const Bundle bundle(from.box, to.box);
+  const Skipped skipped = skipped_faces(from, to, bundle);
+  ChildLink stack[kStackSize];
+  ChildLink* top = stack;
+  ChildLink link = ChildLink::node(0);
+  for (;;) {
+    if (!link.is_leaf()) {
+      top = push_children(bundle.shaft, arrays.nodes[link.index()], top);
+    } else {
+      const auto& names =
+          link.has_balls() ? arrays.balls[link.block()].face : arrays.triangles[link.block()].face;
+      for (std::uint32_t lanes = candidate_lanes(arrays, bundle, skipped, link); lanes != 0;
+           lanes &= lanes - 1) {
+        faces.push_back(names[static_cast<std::size_t>(std::countr_zero(lanes))]);
+      }
+    }
+    if (top == stack) return;
+    link = *--top;
+  }
+}
+
+// NOLINTNEXTLINE(google-readability-namespace-comments)
+}  // namespace HWY_NAMESPACE
+}  // namespace gnomon::fast
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace gnomon::fast {
+
+namespace {
+
+HWY_EXPORT(run_naive);
+HWY_EXPORT(run_certified);
+HWY_EXPORT(list_candidates);
+
+}  // namespace
+
+PairResult run_pair(Hierarchy::Tier tier, const PairView& view, const PairPatch& from, const PairPatch& to,
+                    PairScratch::Data& scratch, std::span<ShadowAnswer> answers, const ExactFaces* exact,
+                    PairCounters* counters) {
+  if (tier == Hierarchy::Tier::naive) {
+    return HWY_DYNAMIC_DISPATCH(run_naive)(view, from, to, scratch, answers, exact, counters);
+  }
+  return HWY_DYNAMIC_DISPATCH(run_certified)(view, from, to, scratch, answers, exact, counters);
+}
+
+void run_candidates(const PairView& view, const PairPatch& from, const PairPatch& to,
+                    PairScratch::Data& scratch, std::vector<std::uint32_t>& faces) {
+  HWY_DYNAMIC_DISPATCH(list_candidates)(view, from, to, scratch, faces);
+}
+
+}  // namespace gnomon::fast
+#endif  // HWY_ONCE
