@@ -9,6 +9,8 @@
 //     the exact shadow reference next to CGAL's AABB_tree
 //   gnomon_bench shadow-tiers [--rounds N] [--most FACES] [--side N]
 //     the tiers of the common ray caster on generated scenes, and Embree where it is installed
+//   gnomon_bench pairs [--rounds N] [--rays 16,64,400] [--queries N] [SCENE]...
+//     batches of radiosity rays next to single rays, on built-in scenes and files
 //   gnomon_bench [--benchmark_...]
 //     Google Benchmark on the workloads of the table
 #include <benchmark/benchmark.h>
@@ -32,6 +34,7 @@
 #include "reports/bench/batch_data.h"
 #include "reports/bench/box_and_ball.h"
 #include "reports/bench/paired.h"
+#include "reports/bench/pairs.h"
 #include "reports/bench/shadow_tiers.h"
 #include "reports/bench/shadow_truth.h"
 
@@ -276,7 +279,8 @@ int usage() {
                "usage: gnomon_bench table [--rounds N] [--boxes] [--balls] [--most COUNT]\n"
                "       gnomon_bench box-and-ball [--rounds N] [--items N]\n"
                "       gnomon_bench shadow-truth [--rounds N] [--queries N] [--most TRIANGLES]\n"
-               "       gnomon_bench shadow-tiers [--rounds N] [--most FACES] [--side N]\n");
+               "       gnomon_bench shadow-tiers [--rounds N] [--most FACES] [--side N]\n"
+               "       gnomon_bench pairs [--rounds N] [--rays N,...] [--queries N] [SCENE]...\n");
   return 2;
 }
 
@@ -317,6 +321,36 @@ int shadow_truth(int argc, char** argv) {
   return 0;
 }
 
+int pairs(int argc, char** argv) {
+  PairBenchOptions options;
+  for (int i = 2; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (!word.starts_with("--")) {
+      options.scenes.push_back(word);
+      continue;
+    }
+    if (i + 1 == argc) return usage();
+    const char* value = argv[++i];
+    if (word == "--rays") {
+      options.rays.clear();
+      for (char* end = nullptr;; value = end + 1) {
+        options.rays.push_back(std::strtoull(value, &end, 10));
+        if (end == value || options.rays.back() == 0 || (*end != ',' && *end != 0)) return usage();
+        if (*end == 0) break;
+      }
+    } else if (word == "--rounds") {
+      options.rounds = std::atoi(value);
+    } else if (word == "--queries") {
+      options.queries = static_cast<std::size_t>(std::atoll(value));
+    } else {
+      return usage();
+    }
+  }
+  if (options.rounds < 1 || options.queries < 1) return usage();
+  print_pairs(options);
+  return 0;
+}
+
 int shadow_tiers(int argc, char** argv) {
   ShadowTierOptions options;
   if (!read_counts(argc, argv,
@@ -332,6 +366,7 @@ int shadow_tiers(int argc, char** argv) {
 int run(int argc, char** argv) {
   if (argc >= 2 && std::strcmp(argv[1], "box-and-ball") == 0) return box_and_ball(argc, argv);
   if (argc >= 2 && std::strcmp(argv[1], "shadow-truth") == 0) return shadow_truth(argc, argv);
+  if (argc >= 2 && std::strcmp(argv[1], "pairs") == 0) return pairs(argc, argv);
   if (argc >= 2 && std::strcmp(argv[1], "shadow-tiers") == 0) return shadow_tiers(argc, argv);
   if (argc < 2 || std::strcmp(argv[1], "table") != 0) {
     register_all();

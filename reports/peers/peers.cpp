@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "reports/peers/cgal_caster.h"
+#include "reports/peers/embree_segments.h"
 #ifdef GNOMON_HAS_EMBREE
 #include "reports/peers/embree_caster.h"
 #endif
@@ -83,5 +84,11 @@ bool has_embree() {
   return false;
 #endif
 }
+
+#ifndef GNOMON_HAS_EMBREE
+std::unique_ptr<SegmentCaster> make_embree_segments(const scene::Scene& /*scene*/, EmbreeMode /*mode*/) {
+  return nullptr;
+}
+#endif
 
 }  // namespace gnomon::reports
