@@ -11,6 +11,15 @@
 // u pays for it and for the sums below. So all p lie strictly on the side of n . c's sign when its magnitude
 // exceeds (1 + 8 u) |n| . h + N' (|c|_m + |h|_m) + 2^-104, where N' was rounded up by 16 u.
 // If all the points of both ends lie strictly on one side, no segment between them meets the plane.
+//
+// BEHIND AN OWN PLANE. When no point of a patch lies behind the plane of its own triangle, and all points of
+// the other patch lie in front of it, strictly, all inner points x of all rays have N . (x - a) > 0, a being
+// a corner of that triangle. So nothing that lies on the plane or behind it is met. For a box: if it is met
+// at x, x lies in the extent box, and N . (x - a) as computed, which is off by at most E = N' |x - a|_m +
+// 2^-104, is more than -E; the corner that lies farthest along n has at least that value, as rounding is
+// monotone. So a box is dropped whose farthest value is at most -E, E from the extent box. For a vertex of a
+// face: the same with |v - a|_m itself, or when it is a corner of the own triangle. Planes perpendicular to
+// an axis have E = 0: signs of differences are exact.
 #if defined(GNOMON_FAST_PAIR_CULL_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GNOMON_FAST_PAIR_CULL_INL_H_
 #undef GNOMON_FAST_PAIR_CULL_INL_H_
@@ -26,17 +35,17 @@ HWY_BEFORE_NAMESPACE();
 namespace gnomon::fast {
 namespace HWY_NAMESPACE {
 
-/// The children of lanes from `at` on whose boxes the shaft meets, or may.
-HWY_INLINE M boxes_in_shaft(const PairShaft& shaft, const WideNode& node, std::size_t at) {
+/// The lanes of boxes that the shaft meets, or may; bound(row) are their minima (0 to 2) and maxima.
+template <class Bound>
+HWY_INLINE M boxes_in_shaft(const PairShaft& shaft, const Bound& bound) {
   const Floats d;
   V near = hn::Zero(d), far = hn::Set(d, kShaftEnd);
-  const auto bound = [&](std::size_t i) {
-    return hn::Mul(hn::Sub(hn::Load(d, node.bounds[shaft.row[i]].data() + at), hn::Set(d, shaft.origin[i])),
-                   hn::Set(d, shaft.inverse[i]));
+  const auto parameter = [&](std::size_t i) {
+    return hn::Mul(hn::Sub(bound(shaft.row[i]), hn::Set(d, shaft.origin[i])), hn::Set(d, shaft.inverse[i]));
   };
   std::size_t i = 0;
-  for (; i < shaft.lower; ++i) near = more_or_second(bound(i), near);
-  for (; i < 6; ++i) far = less_or_second(bound(i), far);
+  for (; i < shaft.lower; ++i) near = more_or_second(parameter(i), near);
+  for (; i < 6; ++i) far = less_or_second(parameter(i), far);
   return hn::Le(near, far);
 }
 
@@ -55,6 +64,57 @@ struct CentredBox {
       half_most = half[k] > half_most ? half[k] : half_most;
     }
   }
+};
+
+/// What lies on or behind an own plane can't be met.
+struct HalfSpace {
+  const OwnPlane* plane = nullptr;
+  std::array<std::uint32_t, 3> far_row{};  ///< of WideNode::bounds: the corner farthest along the normal
+  float box_threshold = 0;                 ///< -E
+};
+
+/// The lanes of boxes that lie behind for certain.
+template <class Bound>
+HWY_INLINE M boxes_behind(const HalfSpace& half, const Bound& bound) {
+  const Floats d;
+  V value = hn::Zero(d);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const V term = hn::Mul(hn::Set(d, half.plane->normal[k]),
+                           hn::Sub(bound(half.far_row[k]), hn::Set(d, half.plane->corner[k])));
+    value = k == 0 ? term : hn::Add(value, term);
+  }
+  return hn::Le(value, hn::Set(d, half.box_threshold));
+}
+
+/// The lanes of triangles' corners that lie on the plane or behind it for certain.
+HWY_INLINE M corners_behind(const OwnPlane& plane, const std::array<Eight, 3>& corners,
+                            const std::array<std::uint32_t, kWidth>& numbers, std::size_t at) {
+  const Floats d;
+  const hn::Rebind<std::uint32_t, Floats> d_numbers;
+  V value = hn::Zero(d), most = hn::Zero(d);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const V c = hn::Sub(hn::Load(d, corners[k].data() + at), hn::Set(d, plane.corner[k]));
+    const V term = hn::Mul(hn::Set(d, plane.normal[k]), c);
+    value = k == 0 ? term : hn::Add(value, term);
+    most = hn::Max(most, hn::Abs(c));
+  }
+  const float tiny = plane.error == 0 ? 0 : kTriangleUnderflow;
+  const V threshold = hn::Neg(hn::Add(hn::Mul(hn::Set(d, plane.error), most), hn::Set(d, tiny)));
+  const auto number = hn::Load(d_numbers, numbers.data() + at);
+  const auto same = [&](std::size_t i) {
+    return hn::RebindMask(d, hn::Eq(number, hn::Set(d_numbers, plane.corners[i])));
+  };
+  return hn::Or(hn::Le(value, threshold), hn::Or(same(0), hn::Or(same(1), same(2))));
+}
+
+/// The bounds of what rays can meet: of all rays of a pair, or of a tile.
+struct Bundle {
+  PairShaft shaft;
+  CentredBox from, to;
+  std::array<HalfSpace, 2> halves;
+  std::size_t half_count = 0;
+
+  Bundle(const std::array<float, 6>& a, const std::array<float, 6>& b) : shaft(a, b), from(a), to(b) {}
 };
 
 /// Sets the lanes where all points of the box lie strictly on one side, in front or behind: where N . (v0 -
@@ -79,15 +139,30 @@ HWY_INLINE Sides sides_of_planes(const CentredBox& box, const TriangleBlock& blo
   return {hn::Lt(value, hn::Neg(error)), hn::Gt(value, error)};
 }
 
-/// The lanes of triangles that segments from one box to the other may meet.
-HWY_INLINE std::uint32_t triangles_between(const CentredBox& from, const CentredBox& to,
-                                           const TriangleBlock& block) {
+/// The lanes of triangles that the bundle's rays may meet.
+HWY_INLINE std::uint32_t triangles_between(const Bundle& bundle, const TriangleBlock& block,
+                                           const CornerBlock& corners) {
   const Floats d;
   std::uint32_t lanes = 0;
   for (std::size_t at = 0; at < kWidth; at += hn::Lanes(d)) {
-    const Sides a = sides_of_planes(from, block, at), b = sides_of_planes(to, block, at);
+    V box[6];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const V a = hn::Load(d, block.v0[k].data() + at), b = hn::Load(d, corners.v1[k].data() + at),
+              c = hn::Load(d, corners.v2[k].data() + at);
+      box[k] = hn::Min(hn::Min(a, b), c);
+      box[k + 3] = hn::Max(hn::Max(a, b), c);
+    }
+    M kept = boxes_in_shaft(bundle.shaft, [&](std::size_t row) { return box[row]; });
+    for (std::size_t i = 0; i < bundle.half_count; ++i) {
+      const OwnPlane& plane = *bundle.halves[i].plane;
+      const M behind = hn::And(hn::And(corners_behind(plane, block.v0, corners.number[0], at),
+                                       corners_behind(plane, corners.v1, corners.number[1], at)),
+                               corners_behind(plane, corners.v2, corners.number[2], at));
+      kept = hn::AndNot(behind, kept);
+    }
+    const Sides a = sides_of_planes(bundle.from, block, at), b = sides_of_planes(bundle.to, block, at);
     const M beside = hn::Or(hn::And(a.front, b.front), hn::And(a.behind, b.behind));
-    lanes |= static_cast<std::uint32_t>(bits_of(d, hn::Not(beside))) << at;
+    lanes |= static_cast<std::uint32_t>(bits_of(d, hn::AndNot(beside, kept))) << at;
   }
   return lanes;
 }

@@ -13,10 +13,12 @@
 
 namespace gnomon::fast {
 
-/// The plane of an own triangle: a corner, and the normal from double precision.
+/// The plane of an own triangle: a corner, and the normal from double precision; of a plane that is
+/// perpendicular to an axis the unit vector along it, which is exact but for its length.
 struct OwnPlane {
   std::array<float, 3> corner{}, normal{};
-  float error = 0;           ///< N of fast/hierarchy_triangles_inl.h
+  float error = 0;  ///< N of fast/hierarchy_triangles_inl.h; 0 for a plane perpendicular to an axis
+  std::array<std::uint32_t, 3> corners{};  ///< the triangle's, as the scene numbers its points
   bool none_behind = false;  ///< known: every point lies on the plane or in front of it, exactly
 };
 

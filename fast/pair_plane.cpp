@@ -11,8 +11,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "fast/hierarchy_leaves.h"
+#include "fast/hierarchy_bounds.h"
 
 namespace gnomon::fast {
 
@@ -32,6 +33,18 @@ struct Normal {
       sum[k] = std::abs(x) + std::abs(y);
     }
   }
+  /// N of fast/hierarchy_triangles_inl.h for this normal rounded to floats, as fast/hierarchy_leaves.cpp has
+  /// it: what the normal is off by, and five roundings of products with it.
+  [[nodiscard]] float error_of(const std::array<float, 3>& rounded) const {
+    constexpr double u = Rounding<float>::u, v = Rounding<double>::u;
+    double off = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double n = std::abs(static_cast<double>(rounded[k]));
+      off += 4.2 * v * sum[k] + u * n * (1 + 2 * u) + static_cast<double>(Rounding<float>::two_eta) +
+             kNormalOperations * u * n;
+    }
+    return std::nextafter(static_cast<float>(off * (1 + 16 * u)), std::numeric_limits<float>::infinity());
+  }
   /// True when there is a normal for certain.
   [[nodiscard]] bool exists() const {
     constexpr double v = Rounding<double>::u;
@@ -50,15 +63,18 @@ void set_own_plane(const scene::Scene& scene, PairPatch& patch) {
     const std::uint32_t face = patch.own.first + i;
     const Normal normal(scene.corner(face, 0), scene.corner(face, 1), scene.corner(face, 2));
     if (!normal.exists()) continue;
-    std::array<std::uint32_t, kWidth> faces;
-    faces.fill(face);
-    // With the same error constants as in leaves.
-    const TriangleBlock block = make_triangle_block(scene, faces);
+    plane.corners = scene.triangles[face];
+    bool straight = false;
     for (std::size_t k = 0; k < 3; ++k) {
-      plane.corner[k] = block.v0[k][0];
-      plane.normal[k] = block.normal[k][0];
+      plane.corner[k] = static_cast<float>(normal.corner[k]);
+      plane.normal[k] = static_cast<float>(normal.value[k]);
+      straight |= normal.sum[(k + 1) % 3] == 0 && normal.sum[(k + 2) % 3] == 0;
     }
-    plane.error = block.normal_error[0];
+    if (straight) {
+      for (float& n : plane.normal) n = n > 0 ? 1.0f : n < 0 ? -1.0f : 0.0f;
+    } else {
+      plane.error = normal.error_of(plane.normal);
+    }
     plane.none_behind = true;
     for (std::size_t p = 0; p < patch.count && plane.none_behind; ++p) {
       double value = 0, sum = 0;

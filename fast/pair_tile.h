@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "fast/hierarchy_build.h"
+#include "fast/pair_arrays.h"
 #include "fast/pair_visibility.h"
 
 namespace gnomon::fast {
@@ -66,7 +66,7 @@ struct PairScratch::Data {
 /// What the kernels see of a caster.
 struct PairView {
   const scene::Scene& scene;
-  const HierarchyArrays& arrays;
+  const PairArrays& arrays;
 };
 
 /// Implemented by fast/pair_walk.cpp. There are rays and nodes, and in the certified tier all is in its

@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "fast/hierarchy_bounds.h"
-#include "fast/hierarchy_build.h"
 #include "fast/is_float.h"
+#include "fast/pair_arrays.h"
 #include "fast/pair_plane.h"
 #include "fast/pair_tile.h"
 
@@ -46,15 +46,30 @@ PairCaster::PairCaster(const scene::Scene& scene, std::span<const std::uint8_t> 
     convex_runs_.push_back({static_cast<std::uint32_t>(object.first_triangle),
                             static_cast<std::uint32_t>(object.triangle_count)});
   }
-  arrays_ = std::make_unique<const HierarchyArrays>(build_hierarchy(scene));
+  arrays_ = std::make_unique<const PairArrays>(scene);
 }
 
 PairCaster::~PairCaster() = default;
 
 std::size_t PairCaster::bytes() const {
-  return arrays_->nodes.capacity() * sizeof(WideNode) +
-         arrays_->triangles.capacity() * sizeof(TriangleBlock) +
-         arrays_->balls.capacity() * sizeof(BallBlock) + arrays_->places.capacity() * sizeof(FacePlace);
+  const HierarchyArrays& tree = arrays_->tree;
+  return tree.nodes.capacity() * sizeof(WideNode) + tree.triangles.capacity() * sizeof(TriangleBlock) +
+         tree.balls.capacity() * sizeof(BallBlock) + tree.places.capacity() * sizeof(FacePlace) +
+         arrays_->corners.capacity() * sizeof(CornerBlock);
+}
+
+PairArrays::PairArrays(const scene::Scene& scene) : tree(build_hierarchy(scene)) {
+  corners.resize(tree.triangles.size());
+  for (std::size_t block = 0; block < corners.size(); ++block) {
+    for (std::size_t lane = 0; lane < kWidth; ++lane) {
+      const std::uint32_t face = tree.triangles[block].face[lane];
+      for (std::size_t k = 0; k < 3; ++k) {
+        corners[block].v1[k][lane] = static_cast<float>(scene.corner(face, 1)[k]);
+        corners[block].v2[k][lane] = static_cast<float>(scene.corner(face, 2)[k]);
+        corners[block].number[k][lane] = scene.triangles[face][k];
+      }
+    }
+  }
 }
 
 namespace {
@@ -90,7 +105,7 @@ PairResult by_all_faces(const scene::Scene& scene, const PairPatch& from, const 
 
 struct Call {
   const scene::Scene& scene;
-  const HierarchyArrays& arrays;
+  const PairArrays& arrays;
   bool in_domain;
   Hierarchy::Tier tier;
   const ExactFaces* exact;
@@ -108,7 +123,7 @@ PairResult answer_pair(const Call& call, const PairPatch& from, const PairPatch&
     result.visibility = PairVisibility::all;
   } else if (call.tier == Hierarchy::Tier::certified && !(call.in_domain && from.in_domain && to.in_domain)) {
     result = by_all_faces(call.scene, from, to, call.exact, answers, counters);
-  } else if (call.arrays.nodes.empty()) {
+  } else if (call.arrays.tree.nodes.empty()) {
     std::fill(answers.begin(), answers.end(), ShadowAnswer::lit);
     result.visibility = PairVisibility::all;
   } else {
@@ -188,7 +203,7 @@ void PairCaster::candidates(const PairPatch& from, const PairPatch& to, PairScra
   faces.clear();
   if (from.count == 0 || to.count == 0) return;
   if (in_domain_ && from.in_domain && to.in_domain) {
-    if (!arrays_->nodes.empty()) run_candidates({scene_, *arrays_}, from, to, scratch.data(), faces);
+    if (!arrays_->tree.nodes.empty()) run_candidates({scene_, *arrays_}, from, to, scratch.data(), faces);
     return;
   }
   for (std::uint32_t face = 0; face < scene_.face_count(); ++face) {

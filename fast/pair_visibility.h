@@ -64,7 +64,7 @@ class PairScratch {
   std::unique_ptr<Data> data_;
 };
 
-struct HierarchyArrays;
+struct PairArrays;
 
 /// Answers for batches of rays. A ray (p, q) is shadowed when the open segment from p to q meets a closed
 /// face that is in neither own run, else lit; p = q is lit. Queries of `const` objects may run in many
@@ -122,7 +122,7 @@ class PairCaster {
 
  private:
   const scene::Scene& scene_;
-  std::unique_ptr<const HierarchyArrays> arrays_;
+  std::unique_ptr<const PairArrays> arrays_;
   std::vector<scene::FaceRun> convex_runs_;  ///< the triangles of convex objects, in order
   bool in_domain_ = true;
 };

@@ -2,6 +2,7 @@
 // Walks the tree with the shaft of many rays, and tests them against the faces that it meets.
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "fast/hierarchy_query.h"
 #include "fast/pair_shaft.h"
@@ -17,14 +18,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace gnomon::fast {
 namespace HWY_NAMESPACE {
-
-/// The bounds of what a pair's rays can meet: for the whole pair, or for a tile.
-struct Bundle {
-  PairShaft shaft;
-  CentredBox from, to;
-
-  Bundle(const std::array<float, 6>& a, const std::array<float, 6>& b) : shaft(a, b), from(a), to(b) {}
-};
 
 /// Faces that no ray can meet whatever the floats say.
 struct Skipped {
@@ -48,30 +41,59 @@ inline bool leaves_on_one_side(const OwnPlane& plane, const CentredBox& box) {
   return plane.none_behind && value > error;
 }
 
-inline Skipped skipped_faces(const PairPatch& from, const PairPatch& to, const Bundle& bundle) {
-  return {from.convex.count != 0 && leaves_on_one_side(from.plane, bundle.to) ? from.convex : from.own,
-          to.convex.count != 0 && leaves_on_one_side(to.plane, bundle.from) ? to.convex : to.own};
+inline void add_half(const OwnPlane& plane, const PairPatch& from, const PairPatch& to, Bundle& bundle) {
+  HalfSpace& half = bundle.halves[bundle.half_count++];
+  half.plane = &plane;
+  float most = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    half.far_row[k] = static_cast<std::uint32_t>(plane.normal[k] < 0 ? k : k + 3);
+    for (const PairPatch* patch : {&from, &to}) {
+      for (const float x : {patch->box[k], patch->box[k + 3]}) {
+        most = std::max(most, std::abs(x - plane.corner[k]));
+      }
+    }
+  }
+  half.box_threshold = plane.error == 0 ? 0 : -(plane.error * most + kTriangleUnderflow);
+}
+
+/// Adds the half-spaces that all rays keep to, and says which faces no ray can meet.
+inline Skipped keep_in_front(const PairPatch& from, const PairPatch& to, Bundle& bundle) {
+  Skipped skipped{from.own, to.own};
+  if (leaves_on_one_side(from.plane, bundle.to)) {
+    add_half(from.plane, from, to, bundle);
+    if (from.convex.count != 0) skipped.from = from.convex;
+  }
+  if (leaves_on_one_side(to.plane, bundle.from)) {
+    add_half(to.plane, from, to, bundle);
+    if (to.convex.count != 0) skipped.to = to.convex;
+  }
+  return skipped;
 }
 
 /// Lanes of a leaf that the bundle's rays may meet.
-HWY_INLINE std::uint32_t candidate_lanes(const HierarchyArrays& arrays, const Bundle& bundle,
+HWY_INLINE std::uint32_t candidate_lanes(const PairArrays& arrays, const Bundle& bundle,
                                          const Skipped& skipped, ChildLink link) {
   if (link.has_balls()) {
-    const BallBlock& block = arrays.balls[link.block()];
+    const BallBlock& block = arrays.tree.balls[link.block()];
     return link.lanes() & lanes_outside(skipped.from, block.face) & lanes_outside(skipped.to, block.face);
   }
-  const TriangleBlock& block = arrays.triangles[link.block()];
+  const TriangleBlock& block = arrays.tree.triangles[link.block()];
   return link.lanes() & lanes_outside(skipped.from, block.face) & lanes_outside(skipped.to, block.face) &
-         triangles_between(bundle.from, bundle.to, block);
+         triangles_between(bundle, block, arrays.corners[link.block()]);
 }
 
-/// Appends the children that the shaft may meet.
-HWY_INLINE ChildLink* push_children(const PairShaft& shaft, const WideNode& node, ChildLink* top) {
+/// Appends the children that the bundle's rays may meet.
+HWY_INLINE ChildLink* push_children(const Bundle& bundle, const WideNode& node, ChildLink* top) {
   const Floats d;
   const hn::Rebind<std::uint32_t, Floats> d_links;
   const auto* links = reinterpret_cast<const std::uint32_t*>(node.children.data());
   for (std::size_t at = 0; at < kWidth; at += hn::Lanes(d)) {
-    const auto kept = hn::RebindMask(d_links, boxes_in_shaft(shaft, node, at));
+    const auto bound = [&](std::size_t row) { return hn::Load(d, node.bounds[row].data() + at); };
+    M met = boxes_in_shaft(bundle.shaft, bound);
+    for (std::size_t i = 0; i < bundle.half_count; ++i) {
+      met = hn::AndNot(boxes_behind(bundle.halves[i], bound), met);
+    }
+    const auto kept = hn::RebindMask(d_links, met);
     hn::StoreU(hn::Compress(hn::Load(d_links, links + at), kept), d_links,
                reinterpret_cast<std::uint32_t*>(top));
     top += hn::CountTrue(d_links, kept);
@@ -87,7 +109,13 @@ class PairWalk {
  public:
   PairWalk(const PairView& view, const PairPatch& from, const PairPatch& to, PairScratch::Data& scratch,
            const ExactFaces* exact)
-      : view_(view), arrays_(view.arrays), from_(from), to_(to), scratch_(scratch), exact_(exact) {}
+      : view_(view),
+        arrays_(view.arrays),
+        tree_(view.arrays.tree),
+        from_(from),
+        to_(to),
+        scratch_(scratch),
+        exact_(exact) {}
 
   PairResult run(std::span<ShadowAnswer> answers);
   void add_to(PairCounters& counters) const {
@@ -109,7 +137,8 @@ class PairWalk {
   void store(std::span<ShadowAnswer> answers) const;
 
   const PairView& view_;
-  const HierarchyArrays& arrays_;
+  const PairArrays& arrays_;
+  const HierarchyArrays& tree_;
   const PairPatch &from_, &to_;
   PairScratch::Data& scratch_;
   const ExactFaces* exact_;
@@ -139,8 +168,7 @@ bool PairWalk<Tier>::share_walk(const Bundle& bundle) {
       if (candidate_lanes(arrays_, bundle, skipped_, link) != 0) begin[leaves++] = link;
     } else {
       ++counts_.nodes;
-      tail = static_cast<std::size_t>(push_children(bundle.shaft, arrays_.nodes[link.index()], queue + tail) -
-                                      queue);
+      tail = static_cast<std::size_t>(push_children(bundle, tree_.nodes[link.index()], queue + tail) - queue);
     }
   }
   for (; head < tail; ++head) begin[leaves++] = queue[head];
@@ -150,11 +178,12 @@ bool PairWalk<Tier>::share_walk(const Bundle& bundle) {
 
 template <class Tier>
 bool PairWalk<Tier>::test_triangle(ChildLink link, std::uint32_t lane) {
-  const TriangleBlock& block = arrays_.triangles[link.block()];
+  const TriangleBlock& block = tree_.triangles[link.block()];
   counts_.tests += kTileRays;
   const RayBits bits = rays_on_triangle<Tier::kCertified>(tile_, block, lane);
   const std::uint32_t certain = bits.certain & live_;
   if (certain != 0) {
+    any_candidate_ = true;
     scratch_.last_blocker = {link, lane};
     if ((bits.certain & valid_) == valid_) blocks_all_ = block.face[lane];
     shadowed_ |= certain;
@@ -169,7 +198,7 @@ bool PairWalk<Tier>::test_triangle(ChildLink link, std::uint32_t lane) {
 
 template <class Tier>
 void PairWalk<Tier>::test_balls(ChildLink link, std::uint32_t lanes) {
-  const BallBlock& block = arrays_.balls[link.block()];
+  const BallBlock& block = tree_.balls[link.block()];
   std::uint32_t all = lanes;  // that block every ray
   for (std::uint32_t rays = valid_ & live_; rays != 0; rays &= rays - 1) {
     const auto ray = static_cast<std::size_t>(std::countr_zero(rays));
@@ -206,10 +235,9 @@ template <class Tier>
 void PairWalk<Tier>::run_tile(const Bundle& bundle, std::span<const ChildLink> links) {
   const LeafLane last = scratch_.last_blocker;
   if (last.lane != kWidth) {
-    const std::uint32_t face = arrays_.triangles[last.link.block()].face[last.lane];
-    if (!skipped_.from.contains(face) && !skipped_.to.contains(face)) {
-      any_candidate_ = true;
-      if (test_triangle(last.link, last.lane)) return;
+    const std::uint32_t face = tree_.triangles[last.link.block()].face[last.lane];
+    if (!skipped_.from.contains(face) && !skipped_.to.contains(face) && test_triangle(last.link, last.lane)) {
+      return;
     }
   }
   ChildLink stack[kStackSize];
@@ -219,7 +247,7 @@ void PairWalk<Tier>::run_tile(const Bundle& bundle, std::span<const ChildLink> l
     for (;;) {
       if (!link.is_leaf()) {
         ++counts_.nodes;
-        top = push_children(bundle.shaft, arrays_.nodes[link.index()], top);
+        top = push_children(bundle, tree_.nodes[link.index()], top);
       } else {
         ++counts_.leaves;
         const std::uint32_t lanes = candidate_lanes(arrays_, bundle, skipped_, link);
@@ -298,8 +326,8 @@ PairResult PairWalk<Tier>::run(std::span<ShadowAnswer> answers) {
   shape_ = best_tile_shape(from_.count, to_.count);
   const auto shape = static_cast<std::size_t>(std::countr_zero(shape_.to_count));
   const bool single = from_.count <= shape_.from_count && to_.count <= shape_.to_count;
-  const Bundle bundle(from_.box, to_.box);
-  skipped_ = skipped_faces(from_, to_, bundle);
+  Bundle bundle(from_.box, to_.box);
+  skipped_ = keep_in_front(from_, to_, bundle);
   const ChildLink root = ChildLink::node(0);
   std::span<const ChildLink> links{&root, 1};
   if (!single) {
@@ -328,9 +356,11 @@ PairResult PairWalk<Tier>::run(std::span<ShadowAnswer> answers) {
         if (single) {
           run_tile(bundle, links);
         } else {
-          run_tile(Bundle(scratch_.from_boxes[first_from_ / shape_.from_count],
-                          scratch_.to_boxes[first_to_ / shape_.to_count]),
-                   links);
+          Bundle part(scratch_.from_boxes[first_from_ / shape_.from_count],
+                      scratch_.to_boxes[first_to_ / shape_.to_count]);
+          part.halves = bundle.halves;
+          part.half_count = bundle.half_count;
+          run_tile(part, links);
         }
         resolve();
       }
@@ -367,19 +397,19 @@ PairResult run_certified(const PairView& view, const PairPatch& from, const Pair
 
 void list_candidates(const PairView& view, const PairPatch& from, const PairPatch& to,
                      PairScratch::Data& /*scratch*/, std::vector<std::uint32_t>& faces) {
-  const HierarchyArrays& arrays = view.arrays;
-  const Bundle bundle(from.box, to.box);
-  const Skipped skipped = skipped_faces(from, to, bundle);
+  const HierarchyArrays& tree = view.arrays.tree;
+  Bundle bundle(from.box, to.box);
+  const Skipped skipped = keep_in_front(from, to, bundle);
   ChildLink stack[kStackSize];
   ChildLink* top = stack;
   ChildLink link = ChildLink::node(0);
   for (;;) {
     if (!link.is_leaf()) {
-      top = push_children(bundle.shaft, arrays.nodes[link.index()], top);
+      top = push_children(bundle, tree.nodes[link.index()], top);
     } else {
       const auto& names =
-          link.has_balls() ? arrays.balls[link.block()].face : arrays.triangles[link.block()].face;
-      for (std::uint32_t lanes = candidate_lanes(arrays, bundle, skipped, link); lanes != 0;
+          link.has_balls() ? tree.balls[link.block()].face : tree.triangles[link.block()].face;
+      for (std::uint32_t lanes = candidate_lanes(view.arrays, bundle, skipped, link); lanes != 0;
            lanes &= lanes - 1) {
         faces.push_back(names[static_cast<std::size_t>(std::countr_zero(lanes))]);
       }
