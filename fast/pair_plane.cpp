@@ -64,6 +64,7 @@ void set_own_plane(const scene::Scene& scene, PairPatch& patch) {
     const Normal normal(scene.corner(face, 0), scene.corner(face, 1), scene.corner(face, 2));
     if (!normal.exists()) continue;
     plane.corners = scene.triangles[face];
+    plane.error = 0;
     bool straight = false;
     for (std::size_t k = 0; k < 3; ++k) {
       plane.corner[k] = static_cast<float>(normal.corner[k]);
@@ -76,10 +77,10 @@ void set_own_plane(const scene::Scene& scene, PairPatch& patch) {
       plane.error = normal.error_of(plane.normal);
     }
     plane.none_behind = true;
-    for (std::size_t p = 0; p < patch.count && plane.none_behind; ++p) {
+    for (std::size_t p = 0; p < patch.size() && plane.none_behind; ++p) {
       double value = 0, sum = 0;
       for (std::size_t k = 0; k < 3; ++k) {
-        const double x = static_cast<double>(patch.coordinates[k][p]) - normal.corner[k];
+        const double x = static_cast<double>(patch.coordinates(k)[p]) - normal.corner[k];
         value += normal.value[k] * x;
         sum += normal.sum[k] * std::abs(x);
       }

@@ -62,8 +62,8 @@ HWY_INLINE std::uint32_t fill_tile(const PairPatch& from, std::size_t first_from
   for (std::size_t at = 0; at < kTileRays; at += hn::Lanes(d)) {
     RV sum = hn::Zero(d), largest = hn::Zero(d);
     for (std::size_t k = 0; k < 3; ++k) {
-      const RV p = spread_points(from.coordinates[k].data() + first_from, kTileOffsets.from[shape] + at);
-      const RV q = spread_points(to.coordinates[k].data() + first_to, kTileOffsets.to[shape] + at);
+      const RV p = spread_points(from.coordinates(k) + first_from, kTileOffsets.from[shape] + at);
+      const RV q = spread_points(to.coordinates(k) + first_to, kTileOffsets.to[shape] + at);
       const RV direction = hn::Sub(q, p);
       hn::Store(p, d, tile.origin[k].data() + at);
       hn::Store(direction, d, tile.direction[k].data() + at);

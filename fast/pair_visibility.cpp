@@ -77,14 +77,14 @@ namespace {
 /// Answers without the tree: by the predicate alone, or not at all.
 PairResult by_all_faces(const scene::Scene& scene, const PairPatch& from, const PairPatch& to,
                         const ExactFaces* exact, std::span<ShadowAnswer> answers, PairCounters* counters) {
-  for (std::size_t i = 0; i < from.count; ++i) {
-    for (std::size_t k = 0; k < to.count; ++k) {
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    for (std::size_t k = 0; k < to.size(); ++k) {
       scene::ShadowQuery query;
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        query.point[axis] = static_cast<double>(from.coordinates[axis][i]);
-        query.light[axis] = static_cast<double>(to.coordinates[axis][k]);
+        query.point[axis] = static_cast<double>(from.coordinates(axis)[i]);
+        query.light[axis] = static_cast<double>(to.coordinates(axis)[k]);
       }
-      ShadowAnswer& answer = answers[i * to.count + k];
+      ShadowAnswer& answer = answers[from.given(i) * to.size() + to.given(k)];
       const auto finite = [](const std::array<double, 3>& p) {
         return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
       };
@@ -119,7 +119,7 @@ PairResult answer_pair(const Call& call, const PairPatch& from, const PairPatch&
     data.last_blocker = {};
   }
   PairResult result;
-  if (from.count == 0 || to.count == 0) {
+  if (from.size() == 0 || to.size() == 0) {
     result.visibility = PairVisibility::all;
   } else if (call.tier == Hierarchy::Tier::certified && !(call.in_domain && from.in_domain && to.in_domain)) {
     result = by_all_faces(call.scene, from, to, call.exact, answers, counters);
@@ -131,7 +131,7 @@ PairResult answer_pair(const Call& call, const PairPatch& from, const PairPatch&
   }
   if (counters != nullptr) {
     ++counters->pairs;
-    counters->rays += from.count * to.count;
+    counters->rays += from.size() * to.size();
     counters->all += result.visibility == PairVisibility::all;
     counters->none += result.visibility == PairVisibility::none;
   }
@@ -201,7 +201,7 @@ PairResult PairCaster::shadows_exact(const ExactFaces& faces, const RayBatch& ba
 void PairCaster::candidates(const PairPatch& from, const PairPatch& to, PairScratch& scratch,
                             std::vector<std::uint32_t>& faces) const {
   faces.clear();
-  if (from.count == 0 || to.count == 0) return;
+  if (from.size() == 0 || to.size() == 0) return;
   if (in_domain_ && from.in_domain && to.in_domain) {
     if (!arrays_->tree.nodes.empty()) run_candidates({scene_, *arrays_}, from, to, scratch.data(), faces);
     return;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 
 #include "fast/hierarchy_query.h"
 #include "fast/pair_shaft.h"
@@ -279,7 +280,7 @@ void PairWalk<Tier>::resolve() {
       }
       // The light is not the sum of origin and direction, which was rounded.
       const std::size_t to = first_to_ + ray % shape_.to_count;
-      for (std::size_t k = 0; k < 3; ++k) query.light[k] = static_cast<double>(to_.coordinates[k][to]);
+      for (std::size_t k = 0; k < 3; ++k) query.light[k] = static_cast<double>(to_.coordinates(k)[to]);
       ++counts_.exact;
       if (exact_->blocks(view_.scene, open.face, query)) {
         shadowed_ |= 1u << ray;
@@ -291,23 +292,31 @@ void PairWalk<Tier>::resolve() {
 
 template <class Tier>
 void PairWalk<Tier>::store(std::span<ShadowAnswer> answers) const {
-  const std::size_t rows = std::min(shape_.from_count, from_.count - first_from_),
-                    columns = std::min(shape_.to_count, to_.count - first_to_);
+  const std::size_t rows = std::min(shape_.from_count, from_.size() - first_from_),
+                    columns = std::min(shape_.to_count, to_.size() - first_to_);
   for (std::size_t i = 0; i < rows; ++i) {
-    ShadowAnswer* const row = answers.data() + (first_from_ + i) * to_.count + first_to_;
+    ShadowAnswer* const row = answers.data() + from_.given(first_from_ + i) * to_.size();
+    const std::uint32_t shadowed = shadowed_ >> (i * shape_.to_count),
+                        undecided = undecided_ >> (i * shape_.to_count);
+    if (columns == 4 && !to_.is_sorted() && undecided_ == 0) {
+      // A byte for each bit.
+      const std::uint32_t bytes = ((shadowed & 15u) * 0x0020'4081u) & 0x0101'0101u;
+      std::memcpy(row + first_to_, &bytes, 4);
+      continue;
+    }
     for (std::size_t k = 0; k < columns; ++k) {
-      const std::size_t ray = i * shape_.to_count + k;
-      row[k] = static_cast<ShadowAnswer>((shadowed_ >> ray & 1u) + 3 * (undecided_ >> ray & 1u));
+      row[to_.given(first_to_ + k)] =
+          static_cast<ShadowAnswer>((shadowed >> k & 1u) + 3 * (undecided >> k & 1u));
     }
   }
 }
 
 inline void fill_boxes(const PairPatch& patch, std::size_t step, std::vector<std::array<float, 6>>& boxes) {
   boxes.clear();
-  for (std::size_t first = 0; first < patch.count; first += step) {
+  for (std::size_t first = 0; first < patch.size(); first += step) {
     std::array<float, 6> box;
     for (std::size_t k = 0; k < 3; ++k) {
-      const float* const x = patch.coordinates[k].data() + first;
+      const float* const x = patch.coordinates(k) + first;
       float lo = x[0], hi = x[0];
       // Beyond the last point are copies of it.
       for (std::size_t i = 1; i < step; ++i) {
@@ -323,9 +332,9 @@ inline void fill_boxes(const PairPatch& patch, std::size_t step, std::vector<std
 
 template <class Tier>
 PairResult PairWalk<Tier>::run(std::span<ShadowAnswer> answers) {
-  shape_ = best_tile_shape(from_.count, to_.count);
+  shape_ = best_tile_shape(from_.size(), to_.size());
   const auto shape = static_cast<std::size_t>(std::countr_zero(shape_.to_count));
-  const bool single = from_.count <= shape_.from_count && to_.count <= shape_.to_count;
+  const bool single = from_.size() <= shape_.from_count && to_.size() <= shape_.to_count;
   Bundle bundle(from_.box, to_.box);
   skipped_ = keep_in_front(from_, to_, bundle);
   const ChildLink root = ChildLink::node(0);
@@ -341,10 +350,10 @@ PairResult PairWalk<Tier>::run(std::span<ShadowAnswer> answers) {
   }
   std::uint32_t common = scene::kNoFace;
   bool has_common = true, first = true;
-  for (first_from_ = 0; first_from_ < from_.count; first_from_ += shape_.from_count) {
-    for (first_to_ = 0; first_to_ < to_.count; first_to_ += shape_.to_count) {
-      const std::size_t rows = std::min(shape_.from_count, from_.count - first_from_),
-                        columns = std::min(shape_.to_count, to_.count - first_to_);
+  for (first_from_ = 0; first_from_ < from_.size(); first_from_ += shape_.from_count) {
+    for (first_to_ = 0; first_to_ < to_.size(); first_to_ += shape_.to_count) {
+      const std::size_t rows = std::min(shape_.from_count, from_.size() - first_from_),
+                        columns = std::min(shape_.to_count, to_.size() - first_to_);
       // Copies of the last points are left out.
       valid_ = 0;
       for (std::size_t i = 0; i < rows; ++i) valid_ |= ((1u << columns) - 1) << (i * shape_.to_count);
