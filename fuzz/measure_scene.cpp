@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "exact/hierarchy.h"
+#include "exact/shaft_candidates.h"
 #include "fuzz/lights.h"
 #include "scene/single.h"
 
@@ -16,10 +17,49 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 using Queries = std::vector<scene::ShadowQuery>;
+using Pairs = std::vector<RadiosityPair>;
 using Rays = std::vector<scene::RayQuery>;
 
 /// Stands where a method has not answered: the number of no face.
 constexpr std::uint32_t kUnanswered = 0xffff'fffd;
+
+/// The queries of a workload of `shadow`, and the pairs that they are the rays of where it is radiosity's.
+struct ShadowList {
+  Queries queries;
+  Pairs pairs;
+
+  [[nodiscard]] std::size_t size() const { return queries.size(); }
+};
+
+/// In random order, with the place that each came from. Rays of a pair stay together.
+std::pair<ShadowList, std::vector<std::uint32_t>> shuffled(const ShadowList& list) {
+  ShadowList mixed;
+  if (list.pairs.empty()) {
+    std::vector<std::uint32_t> order = shuffled_order(list.size());
+    for (const std::uint32_t i : order) mixed.queries.push_back(list.queries[i]);
+    return {std::move(mixed), std::move(order)};
+  }
+  std::vector<std::uint32_t> first, order;
+  std::uint32_t rays = 0;
+  for (const RadiosityPair& pair : list.pairs) {
+    first.push_back(rays);
+    rays += static_cast<std::uint32_t>(pair.rays());
+  }
+  for (const std::uint32_t i : shuffled_order(list.pairs.size())) {
+    mixed.pairs.push_back(list.pairs[i]);
+    for (std::uint32_t ray = 0; ray < list.pairs[i].rays(); ++ray) order.push_back(first[i] + ray);
+  }
+  mixed.queries = queries_of(mixed.pairs);
+  return {std::move(mixed), std::move(order)};
+}
+
+std::pair<Rays, std::vector<std::uint32_t>> shuffled(const Rays& rays) {
+  std::vector<std::uint32_t> order = shuffled_order(rays.size());
+  Rays mixed;
+  mixed.reserve(rays.size());
+  for (const std::uint32_t i : order) mixed.push_back(rays[i]);
+  return {std::move(mixed), std::move(order)};
+}
 
 /// The processor time of this thread: what other programs take does not count.
 double now_ns() {
@@ -32,17 +72,22 @@ double now_ns() {
 struct Contender {
   const SceneMethod* method;
   std::unique_ptr<SceneCaster> caster;
-  std::vector<Answer> answers;                // to Queries
+  std::vector<Answer> answers;                // to a ShadowList
   std::vector<std::uint32_t> faces;           // to Rays
   std::vector<double> image_ns, shuffled_ns;  // a query, of each round
+  std::vector<double> listed_ns;              // of the pairs that have candidates
 
-  void answer(const Queries& queries) { caster->shadows(queries, answers); }
+  void answer(const ShadowList& list) {
+    if (method->by_pairs) return caster->pair_shadows(list.pairs, answers);
+    caster->shadows(list.queries, answers);
+  }
   void answer(const Rays& rays) { caster->first_hits(rays, faces); }
-  [[nodiscard]] const std::vector<Answer>& answers_to(const Queries& /*queries*/) const { return answers; }
+  [[nodiscard]] const std::vector<Answer>& answers_to(const ShadowList& /*list*/) const { return answers; }
   [[nodiscard]] const std::vector<std::uint32_t>& answers_to(const Rays& /*rays*/) const { return faces; }
 
   template <class List>
   double ask(const List& queries) {
+    answers.resize(queries.size());
     const double start = now_ns();
     answer(queries);
     return (now_ns() - start) / static_cast<double>(queries.size());
@@ -94,7 +139,7 @@ class SceneMeasurer {
              " faces for every query; --method asks it all the same");
         continue;
       }
-      contenders_.push_back({method, nullptr, {}, {}, {}, {}});
+      contenders_.push_back({method, nullptr, {}, {}, {}, {}, {}});
       const double seconds = set_up(contenders_.back());
       measurement_.set_ups.push_back(
           {name_, std::string(variant_.name), method, seconds, contenders_.back().caster->bytes()});
@@ -118,6 +163,10 @@ class SceneMeasurer {
 
   void run_workload(const std::string& kind) {
     progress(kind, 0);
+    asked_.clear();
+    for (Contender& contender : contenders_) {
+      if (is_radiosity(kind) || !contender.method->radiosity_alone) asked_.push_back(&contender);
+    }
     const auto rays = ray_workload_kinds();
     if (std::any_of(rays.begin(), rays.end(),
                     [&](const WorkloadKind& known) { return known.name == kind; })) {
@@ -128,13 +177,15 @@ class SceneMeasurer {
                           return faces.empty() ? scene::kNoFace : faces.front();
                         },
                         [this](const scene::ShadowQuery& query) { return truth_.shadow(query).answer; }};
-    const Queries queries = record_workload(kind, scene_, oracle, options_.workload).queries;
+    Workload workload = record_workload(kind, scene_, oracle, options_.workload);
+    const ShadowList list{std::move(workload.queries), std::move(workload.pairs)};
     std::vector<exact::ShadowTruth> truths;
-    truths.reserve(queries.size());
-    for (const scene::ShadowQuery& query : queries) truths.push_back(truth_.shadow(query));
+    truths.reserve(list.size());
+    for (const scene::ShadowQuery& query : list.queries) truths.push_back(truth_.shadow(query));
     run_queries(
-        kind, queries, [&](Contender& contender) { return judge(contender, kind, queries, truths); },
-        measurement_.rows, measurement_.times);
+        kind, list, with_candidates(list.pairs),
+        [&](Contender& contender) { return judge(contender, kind, list, truths); }, measurement_.rows,
+        measurement_.times);
   }
 
   void run_rays(const std::string& kind) {
@@ -143,35 +194,53 @@ class SceneMeasurer {
     truths.reserve(rays.size());
     for (const scene::RayQuery& ray : rays) truths.push_back(truth_.first_hit(ray));
     run_queries(
-        kind, rays, [&](Contender& contender) { return judge(contender, kind, rays, truths); },
+        kind, rays, {}, [&](Contender& contender) { return judge(contender, kind, rays, truths); },
         measurement_.hit_rows, measurement_.hit_times);
   }
 
-  /// Has every contender judged, asked in another order, and timed; adds a row and its times for each.
+  /// The pairs that exactly have candidates: elsewhere no ray need be cast.
+  ShadowList with_candidates(const Pairs& pairs) const {
+    ShadowList list;
+    if (pairs.empty()) return list;
+    const exact::ShaftCandidates candidates(scene_);
+    std::vector<std::uint32_t> faces;
+    for (const RadiosityPair& pair : pairs) {
+      candidates.faces(pair.from.box, pair.to.box, faces);
+      std::erase_if(faces, [&](std::uint32_t face) {
+        return pair.from.own.contains(face) || pair.to.own.contains(face);
+      });
+      if (!faces.empty()) list.pairs.push_back(pair);
+    }
+    list.queries = queries_of(list.pairs);
+    return list;
+  }
+
+  /// Has every contender judged, asked in another order, and timed, also on the part `listed`; adds a row and
+  /// its times for each.
   template <class List, class Judge, class Row>
-  void run_queries(const std::string& kind, const List& queries, Judge judge_one, std::vector<Row>& rows,
-                   std::vector<QueryTimes>& times) {
-    if (queries.empty()) {
+  void run_queries(const std::string& kind, const List& queries, const List& listed, Judge judge_one,
+                   std::vector<Row>& rows, std::vector<QueryTimes>& times) {
+    if (queries.size() == 0) {
       note(kind + " left out: no such query was found");
       return;
     }
-    List shuffled;
-    shuffled.reserve(queries.size());
-    const std::vector<std::uint32_t> order = shuffled_order(queries.size());
-    for (const std::uint32_t i : order) shuffled.push_back(queries[i]);
-    for (Contender& contender : contenders_) {
+    const auto in_random_order = shuffled(queries);
+    const List& mixed = in_random_order.first;
+    const std::vector<std::uint32_t>& order = in_random_order.second;
+    for (Contender* const contender : asked_) {
       progress(kind, 0);
-      rows.push_back(judge_one(contender));
-      const auto in_order = contender.answers_to(queries);
-      contender.ask(shuffled);
-      const auto& answers = contender.answers_to(queries);
+      rows.push_back(judge_one(*contender));
+      const auto in_order = contender->answers_to(queries);
+      contender->ask(mixed);
+      const auto& answers = contender->answers_to(queries);
       for (std::size_t i = 0; i < order.size(); ++i) {
         rows.back().changed_by_order += answers[i] != in_order[order[i]] ? 1U : 0U;
       }
     }
-    time_rounds(kind, queries, shuffled);
-    for (const Contender& contender : contenders_) {
-      times.push_back({spread_of(contender.image_ns), spread_of(contender.shuffled_ns)});
+    time_rounds(kind, queries, mixed, listed);
+    for (const Contender* const contender : asked_) {
+      times.push_back({spread_of(contender->image_ns), spread_of(contender->shuffled_ns), {}});
+      if (listed.size() > 0) times.back().listed = spread_of(contender->listed_ns);
     }
   }
 
@@ -186,17 +255,18 @@ class SceneMeasurer {
     return row;
   }
 
-  ShadowRow judge(Contender& contender, const std::string& kind, const Queries& queries,
+  ShadowRow judge(Contender& contender, const std::string& kind, const ShadowList& list,
                   const std::vector<exact::ShadowTruth>& truths) const {
     auto row = new_row<ShadowRow>(contender, kind);
-    contender.answers.assign(queries.size(), kRejected);
-    contender.ask(queries);
+    contender.answers.assign(list.size(), kRejected);
+    contender.ask(list);
     for (std::size_t i = 0; i < truths.size(); ++i) {
       const auto truth = static_cast<std::size_t>(truths[i].answer);
       ++row.matrix[truth][contender.answers[i]];
       if (truths[i].touching) ++row.touching[truth][contender.answers[i]];
     }
-    row.tests = contender.caster->count_tests(queries);
+    row.tests = contender.caster->count_tests(list.queries);
+    row.pairs = contender.caster->count_pairs(list.pairs);
     return row;
   }
 
@@ -226,19 +296,21 @@ class SceneMeasurer {
   }
 
   template <class List>
-  void time_rounds(const std::string& kind, const List& image, const List& shuffled) {
-    for (Contender& contender : contenders_) {
-      contender.image_ns.clear();
-      contender.shuffled_ns.clear();
+  void time_rounds(const std::string& kind, const List& image, const List& mixed, const List& listed) {
+    for (Contender* const contender : asked_) {
+      contender->image_ns.clear();
+      contender->shuffled_ns.clear();
+      contender->listed_ns.clear();
     }
-    const std::size_t count = contenders_.size();
+    const std::size_t count = asked_.size();
     for (unsigned round = 0; round < options_.rounds; ++round) {
       for (std::size_t i = 0; i < count; ++i) {
         progress(kind, (round + static_cast<double>(i) / static_cast<double>(count)) / options_.rounds);
         // Every other round backwards, so that nobody always follows the same neighbour.
-        Contender& contender = contenders_[round % 2 == 0 ? i : count - 1 - i];
+        Contender& contender = *asked_[round % 2 == 0 ? i : count - 1 - i];
         contender.image_ns.push_back(contender.ask(image));
-        contender.shuffled_ns.push_back(contender.ask(shuffled));
+        contender.shuffled_ns.push_back(contender.ask(mixed));
+        if (listed.size() > 0) contender.listed_ns.push_back(contender.ask(listed));
       }
     }
   }
@@ -251,6 +323,7 @@ class SceneMeasurer {
   const OnMeasured& on_progress_;
   exact::Hierarchy truth_;
   std::vector<Contender> contenders_;
+  std::vector<Contender*> asked_;  // those that take part in the workload at hand
   double from_ = 0;
 };
 

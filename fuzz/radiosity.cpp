@@ -28,8 +28,9 @@ bool reaches_before(const RadiosityPatch& patch, const RadiosityPatch& other) {
 }
 
 PatchSamples samples_with_box(const RadiosityPatch& patch, std::vector<Vector3> points) {
-  PatchSamples samples{std::move(points), patch.own, patch.box};
+  PatchSamples samples{std::move(points), {}, patch.own, patch.box, patch.plane};
   for (const Vector3& point : samples.points) {
+    samples.faces.push_back(face_of(patch, point));
     for (std::size_t axis = 0; axis < 3; ++axis) {
       samples.box.c[axis] = std::min(samples.box.c[axis], point[axis]);
       samples.box.c[axis + 3] = std::max(samples.box.c[axis + 3], point[axis]);
@@ -56,8 +57,12 @@ class PatchesByArea {
 
 }  // namespace
 
-void append_queries(const RadiosityPair& pair, std::vector<scene::ShadowQuery>& queries) {
-  for (std::size_t i = 0; i < pair.rays(); ++i) queries.push_back(pair.query(i));
+std::vector<scene::ShadowQuery> queries_of(std::span<const RadiosityPair> pairs) {
+  std::vector<scene::ShadowQuery> queries;
+  for (const RadiosityPair& pair : pairs) {
+    for (std::size_t i = 0; i < pair.rays(); ++i) queries.push_back(pair.query(i));
+  }
+  return queries;
 }
 
 RadiosityPair facing_pair(const scene::Scene& scene, const RadiosityPatch& receiver,

@@ -15,8 +15,10 @@ namespace gnomon::fuzz {
 /// Sample points of a patch, floats: of a face exactly on its plane or in front of it.
 struct PatchSamples {
   std::vector<Vector3> points;
-  scene::FaceRun own;      ///< the triangles that the points lie on; none on a polygon light
-  scene::Box<double> box;  ///< of the whole patch and the points, floats
+  std::vector<std::uint32_t> faces;  ///< the triangle of `own` that each lies on; kNoFace on a polygon light
+  scene::FaceRun own;                ///< the patch's triangles; none of a polygon light
+  scene::Box<double> box;            ///< of the whole patch and the points, floats
+  std::array<Vector3, 3> plane{};    ///< RadiosityPatch::plane
 };
 
 /// The rays between two patches that face each other: from each point of the receiver, in order, to every
@@ -29,14 +31,15 @@ struct RadiosityPair {
   PatchSamples to;                          ///< of the emitter
 
   [[nodiscard]] std::size_t rays() const { return from.points.size() * to.points.size(); }
-  /// Ray i as a query of `shadow`; its own face is the receiver's first.
+  /// Ray i as a query of `shadow`; its own face is the triangle that its point lies on.
   [[nodiscard]] scene::ShadowQuery query(std::size_t i) const {
-    return {from.points[i / to.points.size()], to.points[i % to.points.size()], from.own.first};
+    const std::size_t k = i / to.points.size();
+    return {from.points[k], to.points[i % to.points.size()], from.faces[k]};
   }
 };
 
-/// Appends all rays of a pair.
-void append_queries(const RadiosityPair& pair, std::vector<scene::ShadowQuery>& queries);
+/// All rays of the pairs, pair by pair.
+[[nodiscard]] std::vector<scene::ShadowQuery> queries_of(std::span<const RadiosityPair> pairs);
 
 struct RadiosityOptions {
   std::size_t rays = 64;         ///< of a pair: a square number, so many points on either side

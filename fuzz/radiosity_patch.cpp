@@ -152,6 +152,19 @@ Vector3 on_or_before(const RadiosityPatch& patch, const Vector3& point) {
   return moved;
 }
 
+std::uint32_t face_of(const RadiosityPatch& patch, const Vector3& point) {
+  if (patch.is_light()) return scene::kNoFace;
+  const Corners& c = patch.corners;
+  const Vector3 normal = normal_of(patch.plane[0], patch.plane[1], patch.plane[2]);
+  const auto side_of_edge = [&](const Vector3& a, const Vector3& b) {
+    return dot_product(normal, cross_product(minus(b, a), minus(point, a)));
+  };
+  // Beyond how many diagonals from the first corner?
+  std::uint32_t k = 0;
+  while (k + 1 < patch.own.count && side_of_edge(c[0], c[k + 2]) > 0) ++k;
+  return patch.own.first + k;
+}
+
 Vector3 point_on(const RadiosityPatch& patch, CaseRandom& random) {
   const Corners& c = patch.corners;
   double left = random.unit<double>() * patch.area;

@@ -44,6 +44,9 @@ struct RadiosityPatch {
 /// along the largest axis of the normal where it came to lie behind.
 [[nodiscard]] Vector3 on_or_before(const RadiosityPatch& patch, const Vector3& point);
 
+/// The triangle of the patch that a point of its plane lies on, as doubles find it; kNoFace of a light.
+[[nodiscard]] std::uint32_t face_of(const RadiosityPatch& patch, const Vector3& point);
+
 /// A point of the patch, uniform by area, as on_or_before() makes it.
 [[nodiscard]] Vector3 point_on(const RadiosityPatch& patch, CaseRandom& random);
 

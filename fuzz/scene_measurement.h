@@ -27,6 +27,7 @@ struct ShadowRow {
   /// Queries that are answered otherwise when they come in the shuffled order.
   std::uint64_t changed_by_order = 0;
   std::optional<TestCounts> tests;
+  std::optional<PairTotals> pairs;  ///< of methods that are asked pair by pair
 
   using Matrix = std::array<std::array<std::uint64_t, kColumns>, kTruths>;
   [[nodiscard]] static std::uint64_t truths(const Matrix& m, std::size_t truth);
@@ -61,6 +62,7 @@ struct Spread {
 /// Nanoseconds of processor time a query, of the row with the same index.
 struct QueryTimes {
   Spread image, shuffled;
+  std::optional<Spread> listed;  ///< of radiosity: of the pairs whose shaft exactly holds a face
 };
 
 /// What making a method's structure took.

@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "fuzz/method.h"
+#include "fuzz/radiosity.h"
 #include "scene/ray_query.h"
 #include "scene/scene.h"
 #include "scene/shadow_query.h"
@@ -29,6 +30,13 @@ struct TestCounts {
   std::uint64_t boxes = 0;  ///< boxes of a hierarchy against segments
   std::uint64_t faces = 0;  ///< faces against segments, by the method's first arithmetic
   std::uint64_t exact = 0;  ///< of those: handed to an exact predicate
+};
+
+/// What methods that are asked pair by pair find out: sums over the pairs.
+struct PairTotals {
+  std::uint64_t pairs = 0;
+  std::uint64_t all = 0, none = 0;  ///< pairs whose rays were all lit, all blocked, without a test of any ray
+  std::uint64_t faces = 0;          ///< on the lists of candidates, of all pairs together
 };
 
 /// A method made ready for a scene. Several threads may ask it at once. All numbers of queries are floats,
@@ -56,6 +64,14 @@ class SceneCaster {
       std::span<const scene::RayQuery> /*rays*/) const {
     return std::nullopt;
   }
+  /// Of methods that are asked pair by pair alone: answers the rays of each pair in their order, all in a
+  /// row.
+  virtual void pair_shadows(std::span<const RadiosityPair> /*pairs*/, std::span<Answer> /*answers*/) const {}
+  /// What it finds out about these pairs; nothing from methods that aren't asked by pairs.
+  [[nodiscard]] virtual std::optional<PairTotals> count_pairs(
+      std::span<const RadiosityPair> /*pairs*/) const {
+    return std::nullopt;
+  }
 };
 
 /// A method for questions about scenes.
@@ -73,9 +89,16 @@ struct SceneMethod {
   std::unique_ptr<SceneCaster> (*make)(const scene::Scene& scene) = nullptr;
   /// Takes scenes and queries whose numbers are doubles, not floats alone.
   bool takes_doubles = false;
+  /// Answers workloads of radiosity alone: either it is asked pair by pair, or its answers hold because the
+  /// points of these lie on their faces or in front of them.
+  bool radiosity_alone = false;
+  bool by_pairs = false;  ///< asked by pair_shadows(), not by shadows()
 };
 
 /// The rows of this project, in the order of reports.
 [[nodiscard]] std::span<const SceneMethod> scene_methods();
+
+/// The further rows for workloads of radiosity.
+[[nodiscard]] std::span<const SceneMethod> radiosity_methods();
 
 }  // namespace gnomon::fuzz

@@ -29,4 +29,8 @@ std::span<const SceneMethod> scene_methods() {
   return kRows;
 }
 
+std::span<const SceneMethod> radiosity_methods() {
+  return {};
+}
+
 }  // namespace gnomon::fuzz

@@ -24,6 +24,7 @@ constexpr WorkloadKind kKinds[] = {
     {"light-rays", "from the lights to first hits, and a little beyond and before them"},
     {"emitter", "points of polygon lights to receivers spread over the faces"},
     {"hard", "shadow boundaries to the last bit, edges, vertices, grazing and axis-parallel segments"},
+    {"radiosity", "pairs of patches, all rays between points of both; radiosity@N: N rays a pair, a square"},
 };
 constexpr Queries (*kRecorders[])(const scene::Scene&, const Oracle&, const WorkloadOptions&) = {
     record_primary, record_surface, record_light_rays, record_emitter, record_hard};
@@ -35,7 +36,14 @@ constexpr WorkloadKind kRayKinds[] = {
 constexpr Rays (*kRayRecorders[])(const scene::Scene&, const WorkloadOptions&) = {record_primary_rays,
                                                                                   record_hard_rays};
 
+constexpr std::string_view kRadiosity = "radiosity";
+constexpr std::size_t kLargestSide = 100;
+
 const WorkloadKind* find_kind(std::span<const WorkloadKind> kinds, std::string_view name) {
+  if (is_radiosity(name)) {
+    static_cast<void>(pair_rays_of(name));
+    name = kRadiosity;
+  }
   const auto found = std::find_if(kinds.begin(), kinds.end(),
                                   [name](const WorkloadKind& kind) { return kind.name == name; });
   return found == kinds.end() ? nullptr : &*found;
@@ -56,6 +64,21 @@ std::span<const WorkloadKind> workload_kinds() {
   return kKinds;
 }
 
+bool is_radiosity(std::string_view name) {
+  return name == kRadiosity || name.starts_with(std::string(kRadiosity) + "@");
+}
+
+std::size_t pair_rays_of(std::string_view name) {
+  if (name == kRadiosity) return kDefaultPairRays;
+  const std::string_view digits = name.substr(kRadiosity.size() + 1);
+  for (std::size_t side = 1; side <= kLargestSide; ++side) {
+    if (digits == std::to_string(side * side)) return side * side;
+  }
+  throw std::runtime_error(
+      "--workload: expected radiosity@RAYS with a square number of rays from 1 to 10000, found \"" +
+      scene::printable(name) + "\"");
+}
+
 std::span<const WorkloadKind> ray_workload_kinds() {
   return kRayKinds;
 }
@@ -71,8 +94,13 @@ Workload record_workload(std::string_view name, const scene::Scene& scene, const
                          const WorkloadOptions& options) {
   const WorkloadKind* const kind = find_kind(kKinds, name);
   if (kind == nullptr) fail_unknown(std::array{workload_kinds()}, name);
-  const auto recorder = kRecorders[kind - kKinds];
-  Workload workload{std::string(name), recorder(scene, oracle, options)};
+  Workload workload{std::string(name), {}, {}};
+  if (is_radiosity(name)) {
+    workload.pairs = record_pairs(scene, {pair_rays_of(name), options.queries, options.seed});
+    workload.queries = queries_of(workload.pairs);
+    return workload;
+  }
+  workload.queries = kRecorders[kind - kKinds](scene, oracle, options);
   thin(workload.queries, options.queries);
   return workload;
 }

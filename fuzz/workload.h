@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fuzz/radiosity.h"
 #include "scene/ray_query.h"
 #include "scene/scene.h"
 #include "scene/shadow_query.h"
@@ -28,8 +29,19 @@ struct WorkloadKind {
 /// Those that ask `first-hit`.
 [[nodiscard]] std::span<const WorkloadKind> ray_workload_kinds();
 
-/// The kind of that name, of either question. Throws std::runtime_error, naming the known ones.
+/// The kind of that name, of either question; @RAYS may follow `radiosity`. Throws std::runtime_error, naming
+/// the known ones.
 [[nodiscard]] const WorkloadKind& workload_kind(std::string_view name);
+
+/// The rays of a pair where a workload of radiosity doesn't say.
+inline constexpr std::size_t kDefaultPairRays = 64;
+
+/// True of `radiosity` and `radiosity@RAYS`.
+[[nodiscard]] bool is_radiosity(std::string_view name);
+
+/// The rays of a pair of such a workload. Throws std::runtime_error unless they are a square number from 1 to
+/// 10000.
+[[nodiscard]] std::size_t pair_rays_of(std::string_view name);
 
 /// Exact answers about the scene that a workload is recorded from.
 struct Oracle {
@@ -47,6 +59,8 @@ struct WorkloadOptions {
 struct Workload {
   std::string name;
   std::vector<scene::ShadowQuery> queries;
+  /// Of radiosity: the pairs whose rays the queries are, in their order.
+  std::vector<RadiosityPair> pairs;
 };
 
 /// Records a workload from a scene of floats that has lights and a view (complete()); the same scene, options
@@ -62,6 +76,8 @@ struct Workload {
 ///   there (own face: the one hit), from a little beyond it and from a little before it back to the light.
 /// emitter: radiosity's form factors: points of polygon lights to receivers spread evenly over the faces.
 /// hard: see workload_hard.cpp.
+/// radiosity@RAYS: pairs of patches with so many rays each, as record_pairs() draws them; kDefaultPairRays
+///   without @RAYS.
 [[nodiscard]] Workload record_workload(std::string_view name, const scene::Scene& scene, const Oracle& oracle,
                                        const WorkloadOptions& options);
 

@@ -155,6 +155,7 @@ Comparison compare_measurements(const std::filesystem::path& before, const std::
     compare_counts(old_row, row, comparison.errors);
     compare_speed(key, "image", old_row.image, row.image, options, comparison.speeds);
     compare_speed(key, "shuffled", old_row.shuffled, row.shuffled, options, comparison.speeds);
+    compare_speed(key, "listed", old_row.listed, row.listed, options, comparison.speeds);
     if (row.tier == "reference" && old_row.image && row.image && old_row.image->median > 0) {
       reference_ratios.push_back(row.image->median / old_row.image->median);
     }

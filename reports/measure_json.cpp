@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "fuzz/statistics.h"
@@ -54,6 +55,14 @@ Json tests_json(const Row& row) {
           {"exact", static_cast<double>(row.tests->exact) / n}};
 }
 
+Json pairs_json(const fuzz::PairTotals& totals) {
+  const double n = static_cast<double>(std::max<std::uint64_t>(totals.pairs, 1));
+  return {{"pairs", totals.pairs},
+          {"all", totals.all},
+          {"none", totals.none},
+          {"faces_per_pair", static_cast<double>(totals.faces) / n}};
+}
+
 /// The fields that rows of both questions begin with.
 template <class Row>
 Json head_json(const char* question, const Row& row) {
@@ -87,6 +96,7 @@ Json row_json(const ShadowRow& row) {
   json["false_lit_rate"] = rate_json(ShadowRow::false_lit(m), row.dark());
   json["false_shadowed_rate"] = rate_json(ShadowRow::false_shadowed(m), ShadowRow::truths(m, 0));
   json["tests_per_query"] = tests_json(row);
+  if (row.pairs) json["pairs"] = pairs_json(*row.pairs);
   json["promise_broken"] = row.promise_broken();
   return json;
 }
@@ -165,6 +175,9 @@ std::string measure_json(const fuzz::Measurement& measurement, const MeasureComm
     json["rows"].push_back(row_json(row));
     times.push_back(time_json("shadow", row, "image", measurement.times[i].image));
     times.push_back(time_json("shadow", row, "shuffled", measurement.times[i].shuffled));
+    if (measurement.times[i].listed) {
+      times.push_back(time_json("shadow", row, "listed", *measurement.times[i].listed));
+    }
   }
   for (std::size_t i = 0; i < measurement.hit_rows.size(); ++i) {
     const FirstHitRow& row = measurement.hit_rows[i];

@@ -2,6 +2,7 @@
 #include "reports/measure_rows.h"
 
 #include <algorithm>
+#include <string>
 
 #include "reports/json_node.h"
 
@@ -17,7 +18,7 @@ Share share(const Node& node) {
 /// A count of queries, which can't be more than there are.
 std::uint64_t count_of(const Node& node, const char* key, std::uint64_t queries) {
   const Node count = node.at(key);
-  if (count.count() > queries) count.fail("a count of at most `queries`");
+  if (count.count() > queries) count.fail("a count of at most " + std::to_string(queries));
   return count.count();
 }
 
@@ -60,6 +61,12 @@ MeasureRow row(const Node& node) {
     r.face_tests = tests.at("faces").number();
     r.exact = tests.at("exact").number();
   }
+  if (node.has("pairs")) {
+    const Node pairs = node.at("pairs");
+    const std::uint64_t n = pairs.at("pairs").count();
+    r.pairs = PairShares{n, count_of(pairs, "all", n), count_of(pairs, "none", n),
+                         pairs.at("faces_per_pair").number()};
+  }
   return r;
 }
 
@@ -90,11 +97,14 @@ std::vector<MeasureRow> read_measure_rows(const Node& top) {
     const auto is_of = those_of(time);
     const std::string question = time.at("question").text(), workload = time.at("workload").text();
     const Node order = time.at("order");
-    const bool image = order.text() == "image";
-    if (!image && order.text() != "shuffled") order.fail("\"image\" or \"shuffled\"");
+    std::optional<TimeSpread> MeasureRow::*const which = order.text() == "image"      ? &MeasureRow::image
+                                                         : order.text() == "shuffled" ? &MeasureRow::shuffled
+                                                         : order.text() == "listed"   ? &MeasureRow::listed
+                                                                                      : nullptr;
+    if (which == nullptr) order.fail("\"image\", \"shuffled\" or \"listed\"");
     for (MeasureRow& r : rows) {
       if (!is_of(r) || r.workload != workload || r.question != question) continue;
-      (image ? r.image : r.shuffled) = ns;
+      r.*which = ns;
     }
   }
   for (const Node& set_up : measured.at("set_ups").list()) {

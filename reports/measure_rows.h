@@ -20,6 +20,12 @@ struct TimeSpread {
   double median = 0, low25 = 0, high75 = 0;
 };
 
+/// What a method that is asked pair by pair found out.
+struct PairShares {
+  std::uint64_t pairs = 0, all = 0, none = 0;  ///< all lit and all blocked: without a test of any ray
+  double faces = 0;                            ///< candidates a pair
+};
+
 /// One method on one workload of one variant of a scene. Field names are those of the result file.
 struct MeasureRow {
   std::string question, scene, variant, workload, method, tier, promise;
@@ -33,6 +39,8 @@ struct MeasureRow {
   bool promise_broken = false;
   std::optional<double> boxes, face_tests, exact;  ///< tests a query
   std::optional<TimeSpread> image, shuffled;
+  std::optional<TimeSpread> listed;  ///< of radiosity: of the pairs whose shaft exactly holds a face
+  std::optional<PairShares> pairs;
   std::optional<double> set_up_seconds;
   std::uint64_t bytes = 0;
 };

@@ -21,10 +21,13 @@ namespace {
 
 constexpr int kBroken = 1;
 /// What is measured where no scene is named: a room, balls, a fractal, a park; minutes in all.
+/// Where radiosity alone is asked: the paper's office in both its meshings.
+constexpr const char* kRadiosityScenes[] = {"office", "office-fine"};
 constexpr const char* kDefaultScenes[] = {"living-room", "sphereflake:3", "tetra:5", "gazebo"};
 
 struct MeasureArguments {
   std::vector<std::string> scenes, lights, methods, workloads, variants;
+  std::vector<std::size_t> rays;
   std::string json;
   std::size_t queries = fuzz::WorkloadOptions{}.queries;
   std::uint64_t seed = fuzz::WorkloadOptions{}.seed;
@@ -38,9 +41,33 @@ struct VariantRun {
   std::vector<std::string> workloads;
 };
 
+/// Leaves each word where it first stands: a result has each row once.
+void drop_repeats(std::vector<std::string>& words) {
+  std::vector<std::string> first;
+  for (std::string& word : words) {
+    if (std::find(first.begin(), first.end(), word) == first.end()) first.push_back(std::move(word));
+  }
+  words = std::move(first);
+}
+
+/// Throws unless it is a square number, as workloads of radiosity ask.
+std::string radiosity_of(std::size_t rays) {
+  const std::string name = "radiosity@" + std::to_string(rays);
+  static_cast<void>(fuzz::pair_rays_of(name));
+  return name;
+}
+
 std::vector<VariantRun> variant_runs(const MeasureArguments& arguments) {
-  std::vector<std::string> workloads = arguments.workloads;
-  for (const std::string& name : workloads) static_cast<void>(fuzz::workload_kind(name));
+  std::vector<std::string> workloads;
+  for (const std::string& name : arguments.workloads) {
+    static_cast<void>(fuzz::workload_kind(name));
+    if (name != "radiosity") {
+      workloads.push_back(name);
+    } else {
+      for (const std::size_t rays : arguments.rays) workloads.push_back(radiosity_of(rays));
+    }
+  }
+  drop_repeats(workloads);
   if (workloads.empty()) {
     for (const auto& kinds : {fuzz::workload_kinds(), fuzz::ray_workload_kinds()}) {
       for (const fuzz::WorkloadKind& kind : kinds) workloads.emplace_back(kind.name);
@@ -63,15 +90,6 @@ std::vector<VariantRun> variant_runs(const MeasureArguments& arguments) {
   return runs;
 }
 
-/// Leaves each word where it first stands: a result has each row once.
-void drop_repeats(std::vector<std::string>& words) {
-  std::vector<std::string> first;
-  for (std::string& word : words) {
-    if (std::find(first.begin(), first.end(), word) == first.end()) first.push_back(std::move(word));
-  }
-  words = std::move(first);
-}
-
 /// The command as it can be typed again: where results go is left out.
 std::string command_of(const MeasureArguments& arguments) {
   std::string text = "gnomon measure";
@@ -79,18 +97,27 @@ std::string command_of(const MeasureArguments& arguments) {
   for (const std::string& light : arguments.lights) text += " --light " + light;
   for (const std::string& method : arguments.methods) text += " --method " + method;
   for (const std::string& workload : arguments.workloads) text += " --workload " + workload;
+  for (const std::size_t rays : arguments.rays) text += " --rays " + std::to_string(rays);
   for (const std::string& variant : arguments.variants) text += " --variant " + variant;
   text += " --queries " + std::to_string(arguments.queries) + " --seed " + std::to_string(arguments.seed);
   return text + " --rounds " + std::to_string(arguments.rounds);
 }
 
 int run_measure(MeasureArguments arguments) {
+  const bool radiosity = std::find(arguments.workloads.begin(), arguments.workloads.end(), "radiosity") !=
+                         arguments.workloads.end();
+  if (arguments.scenes.empty() && radiosity && arguments.workloads.size() == 1) {
+    arguments.scenes.assign(std::begin(kRadiosityScenes), std::end(kRadiosityScenes));
+  }
   if (arguments.scenes.empty()) arguments.scenes.assign(std::begin(kDefaultScenes), std::end(kDefaultScenes));
+  if (!arguments.rays.empty() && !radiosity) {
+    throw std::runtime_error("--rays: expected --workload radiosity with it");
+  }
   for (auto* const words : {&arguments.scenes, &arguments.workloads, &arguments.variants}) {
     drop_repeats(*words);
   }
   fuzz::MeasureOptions options;
-  options.methods = choose_scene_methods(arguments.methods);
+  options.methods = choose_measured_methods(arguments.methods);
   options.chosen = !arguments.methods.empty();
   options.rounds = arguments.rounds;
   options.workload = {arguments.queries, arguments.seed};

@@ -54,7 +54,7 @@ struct Packet<16> {
 class EmbreeCaster : public fuzz::SceneCaster {
  public:
   EmbreeCaster(const scene::Scene& scene, EmbreeOptions options)
-      : faces_(scene), scene_(faces_, options), packet_(options.packet) {}
+      : faces_(scene), scene_(faces_, options), packet_(options.packet), filter_(options.filter) {}
 
   void shadows(std::span<const scene::ShadowQuery> queries, std::span<Answer> answers) const override {
     const FlushDenormals flush;
@@ -78,10 +78,10 @@ class EmbreeCaster : public fuzz::SceneCaster {
   [[nodiscard]] std::size_t bytes() const override { return faces_.bytes() + scene_.bytes(); }
 
  private:
-  static Context new_context() {
+  [[nodiscard]] Context new_context() const {
     Context context{};
     rtcInitIntersectContext(&context.base);
-    context.base.filter = leave_out_own_face;
+    if (filter_) context.base.filter = leave_out_own_face;
     return context;
   }
 
@@ -152,6 +152,7 @@ class EmbreeCaster : public fuzz::SceneCaster {
   FloatFaces faces_;
   EmbreeScene scene_;
   unsigned packet_;
+  bool filter_;
 };
 
 }  // namespace

@@ -14,6 +14,9 @@ struct EmbreeOptions {
   bool robust = false;        ///< RTC_SCENE_FLAG_ROBUST
   bool high_quality = false;  ///< RTC_BUILD_QUALITY_HIGH
   unsigned packet = 1;        ///< queries at a time for shadow: 1, 8 or 16
+  /// The own face is not left out, so no filter is called: right in exact arithmetic for points on their face
+  /// or in front of it and lights strictly in front.
+  bool filter = true;
 };
 
 /// Embree on one thread. Triangles are Embree's triangles, balls its sphere points. The segment is open: from

@@ -25,7 +25,7 @@ EmbreeScene::EmbreeScene(const fuzz::FloatFaces& faces, const EmbreeOptions& opt
     rtcSetDeviceMemoryMonitorFunction(device_, count_bytes, &bytes_);
     scene_ = rtcNewScene(device_);
     const RTCBuildQuality quality = options.high_quality ? RTC_BUILD_QUALITY_HIGH : RTC_BUILD_QUALITY_MEDIUM;
-    int flags = RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
+    int flags = options.filter ? RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION : RTC_SCENE_FLAG_NONE;
     if (options.robust) flags |= RTC_SCENE_FLAG_ROBUST;
     rtcSetSceneFlags(scene_, static_cast<RTCSceneFlags>(flags));
     rtcSetSceneBuildQuality(scene_, quality);

@@ -18,9 +18,9 @@ using fuzz::Promise;
 using fuzz::SceneMethod;
 
 #ifdef GNOMON_HAS_EMBREE
-template <bool kRobust, bool kHigh, unsigned kPacket>
+template <bool kRobust, bool kHigh, unsigned kPacket, bool kFilter = true>
 std::unique_ptr<fuzz::SceneCaster> embree(const scene::Scene& scene) {
-  return make_embree_caster(scene, {kRobust, kHigh, kPacket});
+  return make_embree_caster(scene, {kRobust, kHigh, kPacket, kFilter});
 }
 #endif
 
@@ -47,6 +47,42 @@ const SceneMethod kPeers[] = {
      false, false, make_cgal_double_caster},
 };
 
+#ifdef GNOMON_HAS_EMBREE
+const SceneMethod kRadiosityPeers[] = {
+    {"embree-unfiltered", "peer", Promise::none, kAllFloats,
+     "embree without a filter: own faces are met, too", false, true, embree<false, false, 1, false>, false,
+     true},
+    {"embree-high-unfiltered", "peer", Promise::none, kAllFloats, "embree-high without a filter", false, true,
+     embree<false, true, 1, false>, false, true},
+};
+#endif
+
+std::vector<const SceneMethod*> choose(const std::vector<const SceneMethod*>& all,
+                                       const std::vector<std::string>& names) {
+  std::vector<const SceneMethod*> chosen;
+  std::string known;
+  for (const SceneMethod* const method : all) {
+    known += (known.empty() ? "" : ", ") + std::string(method->name);
+    if (names.empty() || std::find(names.begin(), names.end(), method->name) != names.end()) {
+      chosen.push_back(method);
+    }
+  }
+  for (const std::string& name : names) {
+    if (std::none_of(chosen.begin(), chosen.end(),
+                     [&](const SceneMethod* method) { return method->name == name; })) {
+      throw std::runtime_error("--method: expected a method (" + known + "), found \"" +
+                               scene::printable(name) + "\"");
+    }
+  }
+  return chosen;
+}
+
+std::vector<const SceneMethod*> pointers_to(std::span<const SceneMethod> methods) {
+  std::vector<const SceneMethod*> pointers;
+  for (const SceneMethod& method : methods) pointers.push_back(&method);
+  return pointers;
+}
+
 }  // namespace
 
 const std::vector<SceneMethod>& all_scene_methods() {
@@ -58,23 +94,26 @@ const std::vector<SceneMethod>& all_scene_methods() {
   return kAll;
 }
 
+const std::vector<SceneMethod>& all_radiosity_methods() {
+  static const std::vector<SceneMethod> kAll = [] {
+    std::vector<SceneMethod> all(fuzz::radiosity_methods().begin(), fuzz::radiosity_methods().end());
+#ifdef GNOMON_HAS_EMBREE
+    all.insert(all.end(), std::begin(kRadiosityPeers), std::end(kRadiosityPeers));
+#endif
+    return all;
+  }();
+  return kAll;
+}
+
 std::vector<const SceneMethod*> choose_scene_methods(const std::vector<std::string>& names) {
-  std::vector<const SceneMethod*> chosen;
-  std::string known;
-  for (const SceneMethod& method : all_scene_methods()) {
-    known += (known.empty() ? "" : ", ") + std::string(method.name);
-    if (names.empty() || std::find(names.begin(), names.end(), method.name) != names.end()) {
-      chosen.push_back(&method);
-    }
-  }
-  for (const std::string& name : names) {
-    if (std::none_of(chosen.begin(), chosen.end(),
-                     [&](const SceneMethod* method) { return method->name == name; })) {
-      throw std::runtime_error("--method: expected a method (" + known + "), found \"" +
-                               scene::printable(name) + "\"");
-    }
-  }
-  return chosen;
+  return choose(pointers_to(all_scene_methods()), names);
+}
+
+std::vector<const SceneMethod*> choose_measured_methods(const std::vector<std::string>& names) {
+  std::vector<const SceneMethod*> all = pointers_to(all_scene_methods());
+  const std::vector<const SceneMethod*> more = pointers_to(all_radiosity_methods());
+  all.insert(all.end(), more.begin(), more.end());
+  return choose(all, names);
 }
 
 bool has_embree() {

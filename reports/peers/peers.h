@@ -17,6 +17,13 @@ namespace gnomon::reports {
 [[nodiscard]] std::vector<const fuzz::SceneMethod*> choose_scene_methods(
     const std::vector<std::string>& names);
 
+/// The further rows for workloads of radiosity, ours and other projects'.
+[[nodiscard]] const std::vector<fuzz::SceneMethod>& all_radiosity_methods();
+
+/// As choose_scene_methods(), from both lists: what `gnomon measure` takes.
+[[nodiscard]] std::vector<const fuzz::SceneMethod*> choose_measured_methods(
+    const std::vector<std::string>& names);
+
 /// True when Embree's rows are built in.
 [[nodiscard]] bool has_embree();
 
