@@ -10,6 +10,7 @@
 
 #include "fast/fp_environment.h"
 #include "fuzz/campaign.h"
+#include "fuzz/pair_campaign.h"
 #include "fuzz/replay.h"
 #include "fuzz/shaft_questions.h"
 #include "reports/campaign_files.h"
@@ -109,8 +110,15 @@ fuzz::CampaignResult run_question(const FuzzArguments& arguments, const fuzz::On
   if (arguments.question == fuzz::ShaftBallQuestion::id) {
     return fuzz::run_campaign<fuzz::ShaftBallQuestion>(arguments.options, on_progress, on_batch);
   }
-  throw fuzz::UsageError("fuzz: expected a question (shaft-box, shaft-sphere), found \"" +
-                         arguments.question + "\"");
+  if (arguments.question == fuzz::CandidateQuestion::id) {
+    return fuzz::run_pair_campaign<fuzz::CandidateQuestion>(arguments.options, on_progress, on_batch);
+  }
+  if (arguments.question == fuzz::PatchQuestion::id) {
+    return fuzz::run_pair_campaign<fuzz::PatchQuestion>(arguments.options, on_progress, on_batch);
+  }
+  throw fuzz::UsageError(
+      "fuzz: expected a question (shaft-box, shaft-sphere, shaft-candidates, patch-pair), found \"" +
+      arguments.question + "\"");
 }
 
 int run_fuzz(FuzzArguments& arguments) {
@@ -232,12 +240,14 @@ std::optional<std::string> unknown_verb(const CLI::App& app, int argc, char** ar
 
 void add_fuzz(CLI::App& app, FuzzArguments& arguments, std::function<int()>& run) {
   CLI::App* verb = app.add_subcommand("fuzz", "Run a campaign: methods against the exact references");
-  verb->add_option("question", arguments.question, "shaft-box or shaft-sphere")->required();
+  verb->add_option("question", arguments.question, "shaft-box, shaft-sphere, shaft-candidates or patch-pair")
+      ->required();
   verb->add_option("--method", arguments.options.methods,
                    "a method (repeatable); all without it, batch rows only with distributions @K");
   verb->add_option(
       "--distribution", arguments.options.distributions,
-      "NAME or NAME:ARG, with @K for K cases a shaft (repeatable); all that need no argument without it");
+      "NAME or NAME:ARG, shafts' with @K for K cases a shaft (repeatable); all that need no argument without "
+      "it");
   verb->add_option("--scalar", arguments.scalar, "f32 or f64 cases for all methods; without it each its own");
   verb->add_option("--trials", arguments.options.trials,
                    "trials a row (question, method, distribution, scalar)")
@@ -265,7 +275,9 @@ void add_fuzz(CLI::App& app, FuzzArguments& arguments, std::function<int()>& run
       "  gnomon fuzz shaft-box --method naive-f32 --distribution near-touch --trials 10000000 --out results\n"
       "  gnomon fuzz shaft-sphere --distribution mesh:bunny.off --time 60s --json bunny.json\n"
       "  gnomon fuzz shaft-box --distribution uniform@64   # 64 boxes a shaft: what the batch rows are for\n"
-      "  gnomon fuzz shaft-box --plugin ./mine.so --distribution integer-grid --out results");
+      "  gnomon fuzz shaft-box --plugin ./mine.so --distribution integer-grid --out results\n"
+      "  gnomon fuzz shaft-candidates --distribution scene:office --trials 1000000 --out results\n"
+      "  gnomon fuzz patch-pair --distribution coplanar --distribution scene:bunny.off");
   verb->final_callback([&] { run = [&arguments] { return run_fuzz(arguments); }; });
 }
 

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuzz/campaign.h"
 
-#include <atomic>
 #include <chrono>
-#include <condition_variable>
-#include <exception>
 #include <mutex>
 #include <set>
-#include <thread>
 
-#include "fuzz/first_failures.h"
+#include "fuzz/chunk_loop.h"
 #include "fuzz/trial_block.h"
 #include "fuzz/witness.h"
 #include "scene/corpus.h"
@@ -57,20 +53,6 @@ std::vector<Batch<Q>> plan(const CampaignOptions& options) {
   return batches;
 }
 
-/// What the threads of one batch share.
-struct Shared {
-  explicit Shared(std::size_t methods) : failures(methods) {}
-
-  FirstFailures failures;
-  std::atomic<std::uint64_t> next_chunk = 0;
-  std::atomic<std::uint64_t> chunks_done = 0;
-  std::atomic<unsigned> threads_left = 0;
-  std::atomic<bool> failed = false;
-  std::mutex mutex;
-  std::condition_variable finished;
-  std::exception_ptr error;
-};
-
 struct BatchTotals {
   std::vector<Tally> tallies;
   std::vector<std::optional<MethodFailure>> failures;  // of each method
@@ -79,32 +61,24 @@ struct BatchTotals {
 
 template <class Q>
 void work(const Batch<Q>& batch, const Generator<typename Q::Case>& generator, const CampaignOptions& options,
-          std::uint32_t stream, std::uint64_t chunks, std::optional<Clock::time_point> deadline,
-          Shared& shared, BatchTotals& totals) {
-  constexpr std::uint64_t kSize = TrialBlock<Q>::kSize;
+          std::uint32_t stream, ChunkSource& source, FirstFailures& failures, std::mutex& mutex,
+          BatchTotals& totals) {
   const std::size_t keep = options.witnesses_per_row;
   TrialBlock<Q> block(options.seed, stream, batch.choice.per_shaft, batch.scalar, keep);
   std::vector<Tally> tallies(batch.methods.size());
   const double start = thread_ns();
-  while (!shared.failed.load(std::memory_order_relaxed)) {
-    const std::uint64_t taken = shared.next_chunk.fetch_add(1);
-    if (deadline && taken > 0 && Clock::now() >= *deadline) break;  // no row is left without trials
-    const std::uint64_t chunk = taken * options.shards + (options.shard - 1);
-    if (chunk >= chunks || shared.failures.all_before(chunk)) break;
-    const std::uint64_t first = chunk * kSize;
-    const std::uint64_t count = deadline ? kSize : std::min(kSize, options.trials - first);
-    block.fill(generator, first, static_cast<std::size_t>(count));
+  while (const std::optional<Chunk> chunk = source.next()) {
+    block.fill(generator, chunk->first, static_cast<std::size_t>(chunk->count));
     for (std::size_t m = 0; m < batch.methods.size(); ++m) {
-      if (shared.failures.before(m, chunk)) continue;
+      if (failures.before(m, chunk->number)) continue;
       try {
         block.run(*batch.methods[m], tallies[m]);
       } catch (const MethodFailure& failure) {
-        shared.failures.add(m, chunk, failure);
+        failures.add(m, chunk->number, failure);
       }
     }
-    shared.chunks_done.fetch_add(1, std::memory_order_relaxed);
   }
-  const std::lock_guard lock(shared.mutex);
+  const std::lock_guard lock(mutex);
   for (std::size_t m = 0; m < tallies.size(); ++m) totals.tallies[m].add(tallies[m], keep);
   totals.reference_ns += block.reference_ns();
   totals.core_ns += thread_ns() - start + block.elsewhere_ns();
@@ -114,44 +88,17 @@ template <class Q>
 BatchTotals run_batch(const Batch<Q>& batch, const Generator<typename Q::Case>& generator,
                       const CampaignOptions& options, std::uint32_t stream, double seconds,
                       const std::function<void(double)>& on_share) {
-  constexpr std::uint64_t kSize = TrialBlock<Q>::kSize;
   BatchTotals totals;
   totals.tallies.resize(batch.methods.size());
-  std::optional<Clock::time_point> deadline;
-  const Clock::time_point start = Clock::now();
-  if (options.seconds)
-    deadline = start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
-  const std::uint64_t chunks = deadline ? UINT64_MAX / kSize : (options.trials + kSize - 1) / kSize;
-  Shared shared(batch.methods.size());
-  shared.threads_left = options.jobs;
-  {
-    std::vector<std::jthread> threads;
-    for (unsigned j = 0; j < options.jobs; ++j) {
-      threads.emplace_back([&] {
-        try {
-          work(batch, generator, options, stream, chunks, deadline, shared, totals);
-        } catch (...) {
-          const std::lock_guard lock(shared.mutex);
-          if (!shared.error) shared.error = std::current_exception();
-          shared.failed = true;
-        }
-        const std::lock_guard lock(shared.mutex);
-        if (--shared.threads_left == 0) shared.finished.notify_one();
-      });
-    }
-    std::unique_lock lock(shared.mutex);
-    while (shared.threads_left != 0) {
-      shared.finished.wait_for(lock, std::chrono::milliseconds(200));
-      if (on_share) {
-        const double share =
-            deadline ? seconds_since(start) / seconds
-                     : static_cast<double>(shared.chunks_done) * options.shards / static_cast<double>(chunks);
-        on_share(std::min(1.0, share));
-      }
-    }
-  }
-  if (shared.error) std::rethrow_exception(shared.error);
-  for (std::size_t m = 0; m < batch.methods.size(); ++m) totals.failures.push_back(shared.failures.of(m));
+  FirstFailures failures(batch.methods.size());
+  std::mutex mutex;
+  ChunkPlan plan{TrialBlock<Q>::kSize, options.trials, {}, options.jobs, options.shard, options.shards};
+  if (options.seconds) plan.seconds = seconds;
+  run_chunks(
+      plan, failures,
+      [&](ChunkSource& source) { work(batch, generator, options, stream, source, failures, mutex, totals); },
+      on_share);
+  for (std::size_t m = 0; m < batch.methods.size(); ++m) totals.failures.push_back(failures.of(m));
   return totals;
 }
 

@@ -3,6 +3,8 @@
 // row in its table.
 #include <numeric>
 
+#include "exact/patch_pair.h"
+#include "exact/shaft_candidates.h"
 #include "fuzz/pair_method.h"
 
 namespace gnomon::fuzz {
@@ -37,12 +39,48 @@ std::unique_ptr<PairJudge> make_always_part(const scene::Scene& /*scene*/) {
   return std::make_unique<AlwaysPart>();
 }
 
+class ReferenceFinder final : public CandidateFinder {
+ public:
+  explicit ReferenceFinder(const scene::Scene& scene) : candidates_(scene) {}
+  void faces(const BoxPair& pair, std::vector<std::uint32_t>& out) const override {
+    candidates_.faces(scene::converted<double>(pair.a), scene::converted<double>(pair.b), out);
+  }
+
+ private:
+  exact::ShaftCandidates candidates_;
+};
+
+std::unique_ptr<CandidateFinder> make_reference_finder(const scene::Scene& scene) {
+  return std::make_unique<ReferenceFinder>(scene);
+}
+
+class ReferenceJudge final : public PairJudge {
+ public:
+  explicit ReferenceJudge(const scene::Scene& scene) : pairs_(scene) {}
+  [[nodiscard]] Answer visibility(const scene::PatchPair& pair) const override {
+    return static_cast<Answer>(pairs_.visibility(pair));
+  }
+
+ private:
+  exact::PatchPairs pairs_;
+};
+
+std::unique_ptr<PairJudge> make_reference_judge(const scene::Scene& scene) {
+  return std::make_unique<ReferenceJudge>(scene);
+}
+
 const CandidateMethod kCandidateRows[] = {
     {"trivial", "trivial", Promise::never_unsound, kAllFloats, "every face of the scene", make_all_faces},
+    {"reference", "reference", Promise::always_agrees, kAllFloats,
+     "what judges the others: exact, by a hierarchy; small scenes are judged face by face",
+     make_reference_finder},
 };
 
 const PairMethod kPairRows[] = {
     {"trivial", "trivial", Promise::never_unsound, kAllFloats, "always part", make_always_part},
+    {"reference", "reference", Promise::always_agrees, kAllFloats,
+     "what judges the others: exact, by a hierarchy; small scenes are judged face by face",
+     make_reference_judge},
 };
 
 }  // namespace

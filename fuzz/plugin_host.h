@@ -31,6 +31,8 @@ class Plugins {
   /// it is loaded; also for one whose name another one has.
   void load(const std::string& path, double seconds);
 
+  [[nodiscard]] bool empty() const { return hosts_.empty(); }
+
   template <class Q>
   [[nodiscard]] std::span<const Method<Q>> methods() const;
 

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "exact/gap.h"
+#include "fuzz/face_sums.h"
+#include "fuzz/question_words.h"
 #include "fuzz/verdict.h"
 
 namespace gnomon::fuzz {
@@ -30,6 +32,7 @@ struct Witness {
   std::string case_text;      ///< corpus line of the shrunk case with the reference's answer
   std::string original_text;  ///< corpus line as generated
   std::uint64_t trial = 0, seed = 0;
+  bool has_gap = true;  ///< false: the question has none
   exact::Gap gap;
   double gap_length = 0, gap_ulps = 0;
 };
@@ -43,17 +46,30 @@ struct RowResult {
   std::uint64_t unsound_touching = 0;  ///< unsound verdicts on cases that touch a boundary
   std::uint64_t rounding = 0, model = 0, rounding_and_model = 0;
   std::uint64_t threshold_checked = 0, threshold_exceeded = 0;
-  bool in_domain = true;  ///< the distribution lies in every method's stated domain
+  FaceSums faces;           ///< of shaft-candidates
+  bool independent = true;  ///< false: all trials ask about one scene
+  bool in_domain = true;    ///< the distribution lies in every method's stated domain
   std::optional<WorstGap> worst;
   std::vector<Witness> witnesses;
   double ns_per_case = 0, reference_ns_per_case = 0;
 
+  /// Those of the row's question; a row without one is about a shaft.
+  [[nodiscard]] const QuestionWords& words() const;
   [[nodiscard]] std::uint64_t truths(std::size_t truth) const;
   [[nodiscard]] std::uint64_t count(Verdict verdict) const;
   [[nodiscard]] std::uint64_t count(Fault fault) const;
+  /// Of a fault by its number in the question's words.
+  [[nodiscard]] std::uint64_t count_fault(std::size_t fault) const;
   /// True when the row shows that the method's promise does not hold.
   [[nodiscard]] bool promise_broken() const;
 };
+
+/// Of a question about pairs: how many cases could be wasteful, how many unsound.
+struct PairChances {
+  std::uint64_t waste = 0, unsound = 0;
+};
+/// Cases whose truth has an answer that would be so.
+[[nodiscard]] PairChances chances_of(const RowResult& row);
 
 /// A method that gave no answers: a plug-in's that crashed, hung or answered nonsense. It is asked no more.
 struct Failure {

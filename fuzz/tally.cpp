@@ -33,6 +33,7 @@ void Tally::add(const Tally& other, std::size_t keep) {
     for (const std::uint64_t trial : other.faults[fault].trials()) faults[fault].offer(trial, keep);
   }
   if (other.largest.known()) largest.offer(other.largest.gap(), other.largest.trial());
+  faces.add(other.faces);
   ns += other.ns;
 }
 

@@ -51,6 +51,7 @@ struct Tally {
   std::uint64_t threshold_checked = 0, threshold_exceeded = 0;
   std::array<LowestTrials, kFaults> faults;
   LargestGap largest;
+  FaceSums faces;
   double ns = 0;
 
   void add(const Tally& other, std::size_t keep);

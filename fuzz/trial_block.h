@@ -5,22 +5,14 @@
 
 #include <cmath>
 #include <cstdint>
-#include <ctime>
 #include <vector>
 
 #include "fuzz/generator.h"
 #include "fuzz/shaft_questions.h"
 #include "fuzz/tally.h"
+#include "fuzz/thread_time.h"
 
 namespace gnomon::fuzz {
-
-/// The processor time of the calling thread in nanoseconds: what other programs on the machine take does not
-/// count.
-[[nodiscard]] inline double thread_ns() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) * 1e9 + static_cast<double>(now.tv_nsec);
-}
 
 template <class Q>
 class TrialBlock {

@@ -98,8 +98,10 @@ std::string witness_text(const Witness& witness) {
           witness.reference + "\n";
   text += "# scalar " + witness.scalar + ", distribution " + witness.distribution + ", seed " +
           std::to_string(witness.seed) + ", trial " + std::to_string(witness.trial) + "\n";
-  text += "# exact gap " + witness.gap.get_str() + " (length " + scene::decimal_text(witness.gap_length) +
-          ", " + scene::decimal_text(witness.gap_ulps) + " ulps)\n";
+  if (witness.has_gap) {
+    text += "# exact gap " + witness.gap.get_str() + " (length " + scene::decimal_text(witness.gap_length) +
+            ", " + scene::decimal_text(witness.gap_ulps) + " ulps)\n";
+  }
   text += "# as generated: " + witness.original_text + "\n";
   text += witness.case_text + "\n";
   return text;

@@ -9,6 +9,7 @@
 #include "fuzz/shaft_questions.h"
 #include "fuzz/statistics.h"
 #include "reports/environment.h"
+#include "reports/pair_methods_text.h"
 #include "reports/scene_methods_text.h"
 #include "scene/builtin.h"
 
@@ -28,7 +29,7 @@ std::string rate_text(std::uint64_t hits, std::uint64_t of) {
   return fmt::format("{:.1e}", rate.value);
 }
 
-std::string header_text(const RowResult& row) {
+std::string shaft_header(const RowResult& row) {
   const double n = static_cast<double>(std::max<std::uint64_t>(row.trials, 1));
   const auto share = [n](std::uint64_t count) { return 100 * static_cast<double>(count) / n; };
   return fmt::format(
@@ -40,7 +41,7 @@ std::string header_text(const RowResult& row) {
       "false ins.", "waste", "cull rate", "waste rt.", "rounding", "model", "worst", "ns/case");
 }
 
-std::string row_text(const RowResult& row) {
+std::string shaft_row(const RowResult& row) {
   const std::uint64_t outside = row.truths(0), meeting = row.truths(1) + row.truths(2);
   // What is rounding and what model is told by a method's exact twin, and a plug-in has none that is known.
   const auto source = [&row](std::uint64_t count) {
@@ -53,6 +54,57 @@ std::string row_text(const RowResult& row) {
                   rate_text(row.matrix[0][1] + row.matrix[0][2], outside), source(row.rounding),
                   source(row.model + row.rounding_and_model),
                   row.worst ? fmt::format("{:.1e}", std::abs(row.worst->length)) : "", row.ns_per_case);
+  return text;
+}
+
+/// What the cases are exactly.
+std::string pair_header(const RowResult& row) {
+  const fuzz::QuestionWords& words = row.words();
+  const double n = static_cast<double>(std::max<std::uint64_t>(row.trials, 1));
+  std::string text =
+      fmt::format("\n{} {} {}: {} trials, exactly", row.question, row.distribution, row.scalar, row.trials);
+  for (std::size_t truth = 0; truth < words.truth_count(); ++truth) {
+    text += fmt::format("{} {:.1f} % {}", truth == 0 ? "" : ",",
+                        100 * static_cast<double>(row.truths(truth)) / n, words.truths[truth]);
+  }
+  if (words.lists_faces) {
+    text += fmt::format("; {:.1f} faces a list", static_cast<double>(row.faces.in_truth) / n);
+  }
+  if (!row.independent) text += "; queries of one scene, not independent as the intervals take them";
+  text += fmt::format("\n  {:<24}", "method");
+  if (words.lists_faces) {
+    text += fmt::format("{:>10}{:>10}{:>12}{:>10}{:>12}{:>13}{:>13}", "missing", "more", "miss. rate",
+                        "more rt.", "faces", "faces miss.", "faces exc.");
+  } else {
+    text += fmt::format("{:>11}{:>12}{:>12}{:>12}{:>12}{:>10}", "false all", "false none", "unsound rt.",
+                        "missed all", "missed none", "waste rt.");
+  }
+  return text + fmt::format("{:>11}\n", "ns/case");
+}
+
+std::string pair_row(const RowResult& row) {
+  const fuzz::PairChances chances = fuzz::chances_of(row);
+  const std::uint64_t unsound = row.count(Verdict::unsound), waste = row.count(Verdict::waste);
+  std::string text = fmt::format("  {:<24}", row.method);
+  if (row.words().lists_faces) {
+    const double n = static_cast<double>(std::max<std::uint64_t>(row.trials, 1));
+    text += fmt::format("{:>10}{:>10}{:>12}{:>10}{:>12.1f}{:>13}{:>13}", unsound, waste,
+                        rate_text(unsound, chances.unsound), rate_text(waste, chances.waste),
+                        static_cast<double>(row.faces.listed) / n, row.faces.missing, row.faces.excess);
+  } else {
+    text += fmt::format("{:>11}{:>12}{:>12}{:>12}{:>12}{:>10}", row.count_fault(0), row.count_fault(1),
+                        rate_text(unsound, chances.unsound), row.count_fault(3), row.count_fault(2),
+                        rate_text(waste, chances.waste));
+  }
+  return text + fmt::format("{:>11.1f}", row.ns_per_case);
+}
+
+std::string header_text(const RowResult& row) {
+  return row.words().about_pairs ? pair_header(row) : shaft_header(row);
+}
+
+std::string row_text(const RowResult& row) {
+  std::string text = row.words().about_pairs ? pair_row(row) : shaft_row(row);
   if (row.count(Verdict::undecided) > 0) text += fmt::format("  {} undecided", row.count(Verdict::undecided));
   if (row.count(Verdict::rejected) > 0) text += fmt::format("  {} rejected", row.count(Verdict::rejected));
   if (row.promise_broken()) text += fmt::format("  PROMISE BROKEN ({})", row.promise);
@@ -118,7 +170,7 @@ std::string campaign_text(const fuzz::CampaignResult& result) {
 std::string list_text(const fuzz::Plugins* plugins) {
   std::string text = "Questions and methods (name, tier, scalars, promise, what it is):\n\n";
   text += methods_text<fuzz::ShaftBoxQuestion>(plugins) + "\n" +
-          methods_text<fuzz::ShaftBallQuestion>(plugins) + "\n" + scene_methods_text();
+          methods_text<fuzz::ShaftBallQuestion>(plugins) + "\n" + pair_methods_text() + scene_methods_text();
   text +=
       "\nDistributions (NAME or NAME:ARG, @K for K cases a shaft; at least these shares "
       "outside/overlap/inside, of "
@@ -131,6 +183,7 @@ std::string list_text(const fuzz::Plugins* plugins) {
                         100 * ball.outside, 100 * ball.overlap, 100 * ball.inside,
                         distribution.argument.empty() ? "" : fmt::format("; ARG: {}", distribution.argument));
   }
+  text += pair_distributions_text();
   text += "\nScene files (gnomon scene): .nff, .off, .obj, .ply, .stl\n";
   text +=
       "\nBuilt-in scenes (NAME or NAME:SIZE; faces at the size that NAME alone has, what SIZE counts):\n\n";
@@ -147,7 +200,10 @@ std::string list_json(const fuzz::Plugins* plugins) {
   nlohmann::ordered_json json;
   json["tool"] = version();
   json["questions"] = {methods_json<fuzz::ShaftBoxQuestion>(plugins),
-                       methods_json<fuzz::ShaftBallQuestion>(plugins), shadow_question_json(),
+                       methods_json<fuzz::ShaftBallQuestion>(plugins),
+                       candidate_question_json(),
+                       patch_question_json(),
+                       shadow_question_json(),
                        first_hit_question_json()};
   json["distributions"] = nlohmann::ordered_json::array();
   for (const fuzz::Distribution& distribution : fuzz::distributions()) {
@@ -159,6 +215,7 @@ std::string list_json(const fuzz::Plugins* plugins) {
                                      {"least_mix", mix_json(distribution.least_mix)},
                                      {"least_mix_sphere", mix_json(distribution.least_mix_sphere)}});
   }
+  json["pair_distributions"] = pair_distributions_json();
   json["scene_files"] = {".nff", ".off", ".obj", ".ply", ".stl"};
   json["scenes"] = nlohmann::ordered_json::array();
   for (const scene::BuiltinScene& scene : scene::builtin_scenes()) {

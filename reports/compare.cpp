@@ -7,6 +7,7 @@
 #include <map>
 
 #include "fuzz/method.h"
+#include "fuzz/question_words.h"
 #include "fuzz/scene_measurement.h"
 #include "reports/json_node.h"
 #include "reports/result_reader.h"
@@ -49,8 +50,14 @@ std::map<std::string, std::uint64_t> cases_of(const ResultRow& row) {
     cases["touching " + name] = count;
   }
   cases["trials"] = row.trials;
-  if (row.waste_rate.of) cases["outside"] = *row.waste_rate.of;
-  if (row.unsound_rate.of) cases["not outside"] = *row.unsound_rate.of;
+  const fuzz::QuestionWords* const words = fuzz::find_question(row.question);
+  const bool pairs = words != nullptr && words->about_pairs;
+  if (row.waste_rate.of) cases[pairs ? "cases that can be wasted" : "outside"] = *row.waste_rate.of;
+  if (row.unsound_rate.of) {
+    cases[pairs ? "cases that can be unsound" : "not outside"] = *row.unsound_rate.of;
+  }
+  if (const auto faces = row.faces.find("true"); faces != row.faces.end())
+    cases["true faces"] = faces->second;
   if (row.false_inside_rate && row.false_inside_rate->of) cases["not inside"] = *row.false_inside_rate->of;
   return cases;
 }
@@ -82,6 +89,12 @@ class Comparer {
     say("unsound", before_->unsound, after_->unsound, true);
     say("false_culls", before_->false_culls, after_->false_culls, true);
     say("false_insides", before_->false_insides, after_->false_insides, true);
+    for (const auto& [name, count] : before_->faces) {
+      const auto now = after_->faces.find(name);
+      if (now == after_->faces.end() || name == "true") continue;
+      say(("faces_" + name).c_str(), count, now->second,
+          name == "missing" || (name == "excess" && keeps_word_));
+    }
     say("unsound_touching", before_->unsound_touching, after_->unsound_touching, true);
     say("threshold_exceeded", before_->threshold_exceeded, after_->threshold_exceeded, true);
     say("waste", before_->waste, after_->waste, keeps_word_);

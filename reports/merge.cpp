@@ -125,7 +125,8 @@ std::vector<Run> runs_of(const std::vector<Part>& parts) {
 void name_seed(Part& part) {
   if (part.seeds.size() > 1) return;
   for (Json& row : part.json["rows"]) {
-    if (Json& gap = row["worst_gap"]; !gap.is_null()) gap["seed"] = part.seeds.front();
+    const auto gap = row.find("worst_gap");
+    if (gap != row.end() && !gap->is_null()) (*gap)["seed"] = part.seeds.front();
   }
   if (!part.json.contains("witnesses")) return;
   for (Json& witness : part.json["witnesses"]) witness["seed"] = part.seeds.front();

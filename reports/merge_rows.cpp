@@ -7,8 +7,8 @@
 #include <map>
 #include <set>
 
+#include "fuzz/question_words.h"
 #include "fuzz/statistics.h"
-#include "fuzz/verdict.h"
 
 namespace gnomon::reports {
 
@@ -66,9 +66,10 @@ void keep_larger_gap(Json& kept, const Node& other) {
 }
 
 /// Faults in the order of one run's witnesses; unknown ones last.
-std::size_t fault_order(const std::string& verdict) {
-  std::size_t fault = 0;
-  while (fault < fuzz::kFaults && name_of(static_cast<fuzz::Fault>(fault)) != verdict) ++fault;
+std::size_t fault_order(const std::string& question, const std::string& verdict) {
+  const fuzz::QuestionWords* const words = fuzz::find_question(question);
+  std::size_t fault = words != nullptr ? 0 : fuzz::kFaults;
+  while (fault < fuzz::kFaults && words->fault_names[fault] != verdict) ++fault;
   return fault;
 }
 
@@ -134,7 +135,8 @@ void check_row(const Node& row) {
     if (value.at("hits").count() > value.at("of").count()) value.fail("at most as many hits as cases");
   }
   (void)row.at("promise_broken").flag();
-  if (const Node gap = row.at("worst_gap"); !gap.json().is_null()) {
+  if (row.has("worst_gap")) {
+    const Node gap = row.at("worst_gap");
     (void)size_of(gap);
     (void)place_of(gap, "trial");
   }
@@ -169,7 +171,8 @@ void keep_witnesses(Json& result, std::vector<Node> all, std::uint64_t keep) {
   for (const Node& witness : all) {
     const auto row = row_of.find(row_key(witness));
     if (row == row_of.end()) witness.fail("a witness of a row");
-    groups[{row->second, fault_order(witness.at("verdict").text())}].push_back(witness);
+    groups[{row->second, fault_order(witness.at("question").text(), witness.at("verdict").text())}].push_back(
+        witness);
   }
   result["witnesses"] = Json::array();
   for (auto& [where, group] : groups) {

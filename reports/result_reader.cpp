@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "fuzz/question_words.h"
 #include "reports/json_node.h"
 #include "scene/input_error.h"
 
@@ -55,7 +56,7 @@ ResultRow row(const Node& node) {
   r.distribution = node.at("distribution").text();
   r.scalar = node.at("scalar").text();
   r.trials = node.at("trials").count();
-  r.touching = counts(node.at("touching"));
+  if (node.has("touching")) r.touching = counts(node.at("touching"));
   std::uint64_t total = 0;
   for (const auto& [truth, answers] : node.at("matrix").fields()) {
     r.matrix[truth] = counts(answers);
@@ -70,9 +71,14 @@ ResultRow row(const Node& node) {
   r.unsound_touching = optional_count(node, "unsound_touching");
   r.undecided = node.at("undecided").count();
   r.rejected = node.at("rejected").count();
-  r.rounding = node.at("rounding").count();
-  r.model = node.at("model").count();
-  r.rounding_and_model = node.at("rounding_and_model").count();
+  // Questions about pairs have no exact twin, and rows of theirs don't tell.
+  const fuzz::QuestionWords* const words = fuzz::find_question(r.question);
+  r.knows_twin = words == nullptr || !words->about_pairs;
+  if (r.knows_twin) {
+    r.rounding = node.at("rounding").count();
+    r.model = node.at("model").count();
+    r.rounding_and_model = node.at("rounding_and_model").count();
+  }
   if (r.rounding > r.trials || r.model > r.trials || r.rounding_and_model > r.trials ||
       r.rounding + r.model + r.rounding_and_model > r.trials) {
     node.fail("rounding, model and rounding_and_model that sum to at most trials");
@@ -80,6 +86,8 @@ ResultRow row(const Node& node) {
   r.waste_rate = rate(node.at("waste_rate"));
   r.unsound_rate = rate(node.at("unsound_rate"));
   if (node.has("false_inside_rate")) r.false_inside_rate = rate(node.at("false_inside_rate"));
+  if (node.has("independent")) r.independent = node.at("independent").flag();
+  if (node.has("faces")) r.faces = counts(node.at("faces"));
   r.worst_gap = gap(node, "worst_gap");
   r.promise_broken = node.has("promise_broken") && node.at("promise_broken").flag();
   r.threshold_exceeded = optional_count(node, "threshold_exceeded");

@@ -38,6 +38,9 @@ struct ResultRow {
   std::uint64_t waste = 0, unsound = 0, false_culls = 0, false_insides = 0, unsound_touching = 0;
   std::uint64_t undecided = 0, rejected = 0;
   std::uint64_t rounding = 0, model = 0, rounding_and_model = 0;
+  bool knows_twin = true;                      ///< false: errors are not told apart into rounding and model
+  bool independent = true;                     ///< false: all queries are of one scene
+  std::map<std::string, std::uint64_t> faces;  ///< sums of shaft-candidates: true, listed, missing, excess
   Rate waste_rate, unsound_rate;
   std::optional<Rate> false_inside_rate;
   std::optional<GapText> worst_gap;

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fuzz/pair_question.h"
+
+#include <stdexcept>
+
+#include "scene/float_text.h"
+
+namespace gnomon::fuzz {
+
+FaceSums FaceMarks::compare(std::size_t face_count, std::span<const std::uint32_t> truth,
+                            std::span<const std::uint32_t> listed) {
+  if (marks_.size() < face_count) marks_.resize(face_count, 0);
+  const std::uint64_t right = last_ + 1, found = last_ + 2;
+  last_ = found;
+  for (const std::uint32_t face : truth) marks_[face] = right;
+  FaceSums sums;
+  sums.in_truth = truth.size();
+  sums.listed = listed.size();
+  for (const std::uint32_t face : listed) {
+    if (face >= face_count) {
+      throw std::runtime_error("listed face " + std::to_string(face) + " of " + std::to_string(face_count));
+    }
+    if (marks_[face] == found) throw std::runtime_error("listed face " + std::to_string(face) + " twice");
+    sums.excess += marks_[face] != right;
+    marks_[face] = found;
+  }
+  sums.missing = sums.in_truth + sums.excess - sums.listed;
+  return sums;
+}
+
+void CandidateQuestion::refer(const Referee& referee, const Query& query, Reply& truth) {
+  referee.faces(scene::converted<double>(query.a), scene::converted<double>(query.b), truth);
+}
+
+void CandidateQuestion::refer(const scene::Scene& scene, const Query& query, Reply& truth) {
+  const exact::CandidateShaft shaft(scene::converted<double>(query.a), scene::converted<double>(query.b));
+  truth.clear();
+  for (std::uint32_t face = 0; face < scene.face_count(); ++face) {
+    if (shaft.meets(scene, face)) truth.push_back(face);
+  }
+}
+
+PairJudgement CandidateQuestion::judge(const scene::Scene& scene, const Reply& truth, const Reply& reply,
+                                       FaceMarks& marks) {
+  const FaceSums faces = marks.compare(scene.face_count(), truth, reply);
+  const Answer answer = faces.missing > 0 ? 2 : faces.excess > 0 ? 1 : 0;
+  return {truth.empty() ? 0u : 1u, answer, faces};
+}
+
+void PatchQuestion::refer(const Referee& referee, const Query& query, Reply& truth) {
+  truth = static_cast<Answer>(referee.visibility(query));
+}
+
+void PatchQuestion::refer(const scene::Scene& scene, const Query& query, Reply& truth) {
+  truth = static_cast<Answer>(exact::patch_pair_by_all_faces(scene, query));
+}
+
+PairJudgement PatchQuestion::judge(const scene::Scene& /*scene*/, const Reply& truth, const Reply& reply,
+                                   FaceMarks& /*marks*/) {
+  if (reply >= kColumns) throw std::runtime_error("answered number " + std::to_string(reply));
+  return {truth, reply};
+}
+
+namespace {
+
+void add(std::string& text, std::span<const double> numbers) {
+  for (const double x : numbers) text += ' ' + scene::hex_text(x);
+}
+
+void add(std::string& text, const scene::Scene& scene) {
+  text += ' ' + std::to_string(scene.face_count());
+  for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
+    text += " tri";
+    for (std::size_t k = 0; k < 3; ++k) add(text, scene.corner(t, k));
+  }
+  for (const scene::Ball<double>& ball : scene.balls) {
+    text += " ball";
+    add(text, ball.centre);
+    text += ' ' + scene::hex_text(ball.radius);
+  }
+}
+
+}  // namespace
+
+std::string pair_text(const scene::Scene& scene, const BoxPair& query,
+                      const std::vector<std::uint32_t>& truth) {
+  std::string text(CandidateQuestion::id);
+  for (const auto* box : {&query.a, &query.b}) add(text, scene::converted<double>(*box).c);
+  add(text, scene);
+  text += " -> {";
+  for (std::size_t i = 0; i < truth.size(); ++i) text += (i == 0 ? "" : " ") + std::to_string(truth[i]);
+  return text + '}';
+}
+
+std::string pair_text(const scene::Scene& scene, const scene::PatchPair& query, Answer truth) {
+  std::string text(PatchQuestion::id);
+  for (const scene::Patch* patch : {&query.a, &query.b}) {
+    for (const auto& corner : patch->corners) add(text, corner);
+    text += ' ' + (patch->face == scene::kNoFace ? "-1" : std::to_string(patch->face));
+  }
+  add(text, scene);
+  return text + " -> " + std::string(name_of(static_cast<scene::PairVisibility>(truth)));
+}
+
+}  // namespace gnomon::fuzz
