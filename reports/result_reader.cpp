@@ -56,7 +56,10 @@ ResultRow row(const Node& node) {
   r.distribution = node.at("distribution").text();
   r.scalar = node.at("scalar").text();
   r.trials = node.at("trials").count();
-  if (node.has("touching")) r.touching = counts(node.at("touching"));
+  // Questions about pairs have no exact twin and no touching cases, and rows of theirs don't tell.
+  const fuzz::QuestionWords* const words = fuzz::find_question(r.question);
+  r.knows_twin = words == nullptr || !words->about_pairs;
+  if (r.knows_twin) r.touching = counts(node.at("touching"));
   std::uint64_t total = 0;
   for (const auto& [truth, answers] : node.at("matrix").fields()) {
     r.matrix[truth] = counts(answers);
@@ -71,9 +74,6 @@ ResultRow row(const Node& node) {
   r.unsound_touching = optional_count(node, "unsound_touching");
   r.undecided = node.at("undecided").count();
   r.rejected = node.at("rejected").count();
-  // Questions about pairs have no exact twin, and rows of theirs don't tell.
-  const fuzz::QuestionWords* const words = fuzz::find_question(r.question);
-  r.knows_twin = words == nullptr || !words->about_pairs;
   if (r.knows_twin) {
     r.rounding = node.at("rounding").count();
     r.model = node.at("model").count();
