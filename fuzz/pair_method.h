@@ -62,8 +62,8 @@ struct PairRow {
 using CandidateMethod = PairRow<CandidateFinder>;
 using PairMethod = PairRow<PairJudge>;
 
-/// The rows of this project, in the order of reports. A row is a line in fuzz/pair_methods.cpp and a function
-/// that makes its finder or judge.
+/// The rows of this project, in the order of reports. Adding methods is a file with a table of rows, and a
+/// line in fuzz/pair_methods.cpp.
 [[nodiscard]] std::span<const CandidateMethod> candidate_methods();
 [[nodiscard]] std::span<const PairMethod> pair_methods();
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The registry rows of shaft-candidates and patch-pair. Adding a method is a finder or judge (a file) and a
-// row in its table.
+// The registry rows of shaft-candidates and patch-pair. Adding methods is a file with their finders or judges
+// and a table of rows, and a line here.
 #include <numeric>
 
 #include "exact/patch_pair.h"
 #include "exact/shaft_candidates.h"
+#include "fuzz/list_candidates.h"
 #include "fuzz/pair_method.h"
 
 namespace gnomon::fuzz {
@@ -69,28 +70,48 @@ std::unique_ptr<PairJudge> make_reference_judge(const scene::Scene& scene) {
   return std::make_unique<ReferenceJudge>(scene);
 }
 
-const CandidateMethod kCandidateRows[] = {
+const CandidateMethod kTrivialFinder[] = {
     {"trivial", "trivial", Promise::never_unsound, kAllFloats, "every face of the scene", make_all_faces},
+};
+const CandidateMethod kReferenceFinder[] = {
     {"reference", "reference", Promise::always_agrees, kAllFloats,
      "what judges the others: exact, by a hierarchy; small scenes are judged face by face",
      make_reference_finder},
 };
 
-const PairMethod kPairRows[] = {
+const PairMethod kTrivialJudge[] = {
     {"trivial", "trivial", Promise::never_unsound, kAllFloats, "always part", make_always_part},
+};
+const PairMethod kReferenceJudge[] = {
     {"reference", "reference", Promise::always_agrees, kAllFloats,
      "what judges the others: exact, by a hierarchy; small scenes are judged face by face",
      make_reference_judge},
 };
 
+template <class Row>
+std::vector<Row> joined(std::initializer_list<std::span<const Row>> tables) {
+  std::vector<Row> rows;
+  for (const std::span<const Row> table : tables) rows.insert(rows.end(), table.begin(), table.end());
+  return rows;
+}
+
 }  // namespace
 
 std::span<const CandidateMethod> candidate_methods() {
-  return kCandidateRows;
+  static const std::vector<CandidateMethod> rows = joined<CandidateMethod>({
+      kTrivialFinder,
+      list_candidate_rows(),
+      kReferenceFinder,
+  });
+  return rows;
 }
 
 std::span<const PairMethod> pair_methods() {
-  return kPairRows;
+  static const std::vector<PairMethod> rows = joined<PairMethod>({
+      kTrivialJudge,
+      kReferenceJudge,
+  });
+  return rows;
 }
 
 }  // namespace gnomon::fuzz

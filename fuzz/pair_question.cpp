@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuzz/pair_question.h"
 
+#include <numeric>
 #include <stdexcept>
 
-#include "scene/float_text.h"
+#include "scene/pair_case.h"
 
 namespace gnomon::fuzz {
 
@@ -61,45 +62,19 @@ PairJudgement PatchQuestion::judge(const scene::Scene& /*scene*/, const Reply& t
   return {truth, reply};
 }
 
-namespace {
-
-void add(std::string& text, std::span<const double> numbers) {
-  for (const double x : numbers) text += ' ' + scene::hex_text(x);
-}
-
-void add(std::string& text, const scene::Scene& scene) {
-  text += ' ' + std::to_string(scene.face_count());
-  for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
-    text += " tri";
-    for (std::size_t k = 0; k < 3; ++k) add(text, scene.corner(t, k));
-  }
-  for (const scene::Ball<double>& ball : scene.balls) {
-    text += " ball";
-    add(text, ball.centre);
-    text += ' ' + scene::hex_text(ball.radius);
-  }
-}
-
-}  // namespace
-
 std::string pair_text(const scene::Scene& scene, const BoxPair& query,
                       const std::vector<std::uint32_t>& truth) {
-  std::string text(CandidateQuestion::id);
-  for (const auto* box : {&query.a, &query.b}) add(text, scene::converted<double>(*box).c);
-  add(text, scene);
-  text += " -> {";
-  for (std::size_t i = 0; i < truth.size(); ++i) text += (i == 0 ? "" : " ") + std::to_string(truth[i]);
-  return text + '}';
+  scene::CandidatesCase c{scene, scene::converted<double>(query.a), scene::converted<double>(query.b), {}};
+  c.number.resize(scene.face_count());
+  std::iota(c.number.begin(), c.number.end(), 0u);
+  return corpus_text(c, scene::candidates_text(truth, c.number));
 }
 
 std::string pair_text(const scene::Scene& scene, const scene::PatchPair& query, Answer truth) {
-  std::string text(PatchQuestion::id);
-  for (const scene::Patch* patch : {&query.a, &query.b}) {
-    for (const auto& corner : patch->corners) add(text, corner);
-    text += ' ' + (patch->face == scene::kNoFace ? "-1" : std::to_string(patch->face));
-  }
-  add(text, scene);
-  return text + " -> " + std::string(name_of(static_cast<scene::PairVisibility>(truth)));
+  scene::PairCase c{scene, query, {}};
+  c.number.resize(scene.face_count());
+  std::iota(c.number.begin(), c.number.end(), 0u);
+  return corpus_text(c, name_of(static_cast<scene::PairVisibility>(truth)));
 }
 
 }  // namespace gnomon::fuzz
