@@ -13,6 +13,7 @@
 #include "fuzz/pair_campaign.h"
 #include "fuzz/replay.h"
 #include "fuzz/shaft_questions.h"
+#include "fuzz/volume_questions.h"
 #include "reports/campaign_files.h"
 #include "reports/campaign_text.h"
 #include "reports/environment.h"
@@ -116,8 +117,14 @@ fuzz::CampaignResult run_question(const FuzzArguments& arguments, const fuzz::On
   if (arguments.question == fuzz::PatchQuestion::id) {
     return fuzz::run_pair_campaign<fuzz::PatchQuestion>(arguments.options, on_progress, on_batch);
   }
+  std::optional<fuzz::CampaignResult> of_volume;
+  fuzz::for_volume_question(arguments.question, [&](auto question) {
+    of_volume = fuzz::run_campaign<decltype(question)>(arguments.options, on_progress, on_batch);
+  });
+  if (of_volume) return *std::move(of_volume);
   throw fuzz::UsageError(
-      "fuzz: expected a question (shaft-box, shaft-sphere, shaft-candidates, patch-pair), found \"" +
+      "fuzz: expected a question (shaft-box, shaft-sphere, shaft-slabs, shaft-oriented-box, shaft-ellipsoid, "
+      "shaft-candidates, patch-pair), found \"" +
       arguments.question + "\"");
 }
 
@@ -240,7 +247,10 @@ std::optional<std::string> unknown_verb(const CLI::App& app, int argc, char** ar
 
 void add_fuzz(CLI::App& app, FuzzArguments& arguments, std::function<int()>& run) {
   CLI::App* verb = app.add_subcommand("fuzz", "Run a campaign: methods against the exact references");
-  verb->add_option("question", arguments.question, "shaft-box, shaft-sphere, shaft-candidates or patch-pair")
+  verb->add_option(
+          "question", arguments.question,
+          "shaft-box, shaft-sphere, shaft-slabs, shaft-oriented-box, shaft-ellipsoid, shaft-candidates "
+          "or patch-pair")
       ->required();
   verb->add_option("--method", arguments.options.methods,
                    "a method (repeatable); all without it, batch rows only with distributions @K");

@@ -255,6 +255,12 @@ template CampaignResult run_campaign<ShaftBoxQuestion>(const CampaignOptions&, c
                                                        const OnBatch&);
 template CampaignResult run_campaign<ShaftBallQuestion>(const CampaignOptions&, const OnProgress&,
                                                         const OnBatch&);
+template CampaignResult run_campaign<ShaftSlabsQuestion>(const CampaignOptions&, const OnProgress&,
+                                                         const OnBatch&);
+template CampaignResult run_campaign<ShaftOrientedBoxQuestion>(const CampaignOptions&, const OnProgress&,
+                                                               const OnBatch&);
+template CampaignResult run_campaign<ShaftEllipsoidQuestion>(const CampaignOptions&, const OnProgress&,
+                                                             const OnBatch&);
 template std::vector<const Method<ShaftBoxQuestion>*> choose_methods(const std::vector<std::string>&,
                                                                      const Plugins*);
 template std::vector<const Method<ShaftBallQuestion>*> choose_methods(const std::vector<std::string>&,

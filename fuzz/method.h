@@ -41,7 +41,7 @@ enum class Promise : std::uint8_t { none, never_unsound, always_agrees };
 
 /// The exact twin of a method: the same algorithm in exact arithmetic. A plug-in's is unknown: its errors are
 /// not told apart into rounding and model.
-enum class Twin : std::uint8_t { always_overlap, printed, planes, truth, unknown };
+enum class Twin : std::uint8_t { always_overlap, printed, planes, separating, truth, unknown };
 
 /// A method that is more than a function: a plug-in's. Several threads may run it at once.
 template <class Case>

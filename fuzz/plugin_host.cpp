@@ -159,6 +159,26 @@ std::vector<const Method<Q>*> all_methods(const Plugins* plugins) {
   return all;
 }
 
+/// Plug-ins know boxes and balls alone.
+template <class Q>
+std::vector<const Method<Q>*> own_methods() {
+  std::vector<const Method<Q>*> all;
+  for (const Method<Q>& method : methods<Q>()) all.push_back(&method);
+  return all;
+}
+template <>
+std::vector<const Method<ShaftSlabsQuestion>*> all_methods(const Plugins*) {
+  return own_methods<ShaftSlabsQuestion>();
+}
+template <>
+std::vector<const Method<ShaftOrientedBoxQuestion>*> all_methods(const Plugins*) {
+  return own_methods<ShaftOrientedBoxQuestion>();
+}
+template <>
+std::vector<const Method<ShaftEllipsoidQuestion>*> all_methods(const Plugins*) {
+  return own_methods<ShaftEllipsoidQuestion>();
+}
+
 template std::span<const Method<ShaftBoxQuestion>> Plugins::methods() const;
 template std::span<const Method<ShaftBallQuestion>> Plugins::methods() const;
 template std::vector<const Method<ShaftBoxQuestion>*> all_methods(const Plugins*);

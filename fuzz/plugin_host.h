@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fuzz/method.h"
-#include "fuzz/shaft_questions.h"
+#include "fuzz/volume_questions.h"
 
 namespace gnomon::fuzz {
 
@@ -47,8 +47,15 @@ class Plugins {
   std::unique_ptr<Rows<ShaftBallQuestion>> ball_rows_;
 };
 
-/// The registry's rows of Q, then those of the plug-ins, if any.
+/// The registry's rows of Q, then those of the plug-ins, if any; plug-ins have rows for shaft-box and
+/// shaft-sphere only.
 template <class Q>
 [[nodiscard]] std::vector<const Method<Q>*> all_methods(const Plugins* plugins);
+template <>
+[[nodiscard]] std::vector<const Method<ShaftSlabsQuestion>*> all_methods(const Plugins* plugins);
+template <>
+[[nodiscard]] std::vector<const Method<ShaftOrientedBoxQuestion>*> all_methods(const Plugins* plugins);
+template <>
+[[nodiscard]] std::vector<const Method<ShaftEllipsoidQuestion>*> all_methods(const Plugins* plugins);
 
 }  // namespace gnomon::fuzz

@@ -79,6 +79,9 @@ bool has_method(const std::string& name, const Plugins* plugins) {
 bool is_known(const std::string& name, const ReplayRows& rows) {
   return has_method<ShaftBoxQuestion>(name, rows.plugins) ||
          has_method<ShaftBallQuestion>(name, rows.plugins) ||
+         has_method<ShaftSlabsQuestion>(name, rows.plugins) ||
+         has_method<ShaftOrientedBoxQuestion>(name, rows.plugins) ||
+         has_method<ShaftEllipsoidQuestion>(name, rows.plugins) ||
          std::ranges::any_of(rows.scene_methods, [&](const SceneMethod& m) { return m.name == name; });
 }
 
@@ -110,8 +113,12 @@ ReplayResult replay(const std::vector<scene::CorpusLine>& corpus, const std::vec
       replay_line<ShaftBallQuestion>(line, asked, result);
     } else if (line.question == kShadowQuestion) {
       replay_shadow(line, scene_methods, result);
-    } else {
-      line.fail("a question (shaft-box, shaft-sphere, shadow)", scene::in_quotes(line.question));
+    } else if (!for_volume_question(line.question, [&](auto question) {
+                 replay_line<decltype(question)>(line, asked, result);
+               })) {
+      line.fail(
+          "a question (shaft-box, shaft-sphere, shaft-slabs, shaft-oriented-box, shaft-ellipsoid, shadow)",
+          scene::in_quotes(line.question));
     }
   }
   return result;

@@ -70,16 +70,20 @@ template <class Case>
 [[nodiscard]] double gap_length(const scene::ShaftBallCase& c, const exact::Gap& gap,
                                 exact::Boundary boundary);
 
-/// The answer of a twin, which the reference knows.
+/// The answer of a twin, which the reference knows; a twin that a question's rows do not have is the truth.
 template <class Reference>
 [[nodiscard]] scene::Category answer_of(Twin twin, const Reference& reference) {
   switch (twin) {
     case Twin::always_overlap:
       return scene::Category::overlap;
     case Twin::printed:
-      return reference.printed;
+      if constexpr (requires { reference.printed; }) return reference.printed;
+      break;
     case Twin::planes:
       return reference.planes;
+    case Twin::separating:
+      if constexpr (requires { reference.separating; }) return reference.separating;
+      break;
     case Twin::truth:
     case Twin::unknown:
       return reference.truth;

@@ -11,6 +11,7 @@
 #include "fuzz/shaft_questions.h"
 #include "fuzz/tally.h"
 #include "fuzz/thread_time.h"
+#include "fuzz/volume_questions.h"
 
 namespace gnomon::fuzz {
 

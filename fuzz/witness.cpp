@@ -11,9 +11,16 @@ namespace gnomon::fuzz {
 
 namespace {
 
-/// Both shaft questions list coordinates as x y z x y z ...; the last number of a ball is its radius.
+/// The shaft questions list coordinates as x y z x y z ...; the last number of a ball is its radius. The axes
+/// of oriented boxes and ellipsoids are directions, and bounds of slabs mix coordinates: neither moves with
+/// the boxes.
 template <class Q>
 int axis_of_number(std::size_t i) {
+  if constexpr (std::is_same_v<Q, ShaftSlabsQuestion>) {
+    // The bounds of the first three slabs are coordinates; those of the others hold the set together.
+    return i < 15 ? static_cast<int>(i % 3) : i >= 19 && i < 22 ? static_cast<int>(i - 19) : -1;
+  }
+  if constexpr (Q::number_count == 24) return i < 15 ? static_cast<int>(i % 3) : -1;
   return i + 1 == Q::number_count && Q::number_count % 3 == 1 ? -1 : static_cast<int>(i % 3);
 }
 
@@ -109,6 +116,17 @@ std::string witness_text(const Witness& witness) {
 
 template Trial try_case(const Method<ShaftBoxQuestion>&, scene::Scalar, const scene::ShaftBoxCase&);
 template Trial try_case(const Method<ShaftBallQuestion>&, scene::Scalar, const scene::ShaftBallCase&);
+template Trial try_case(const Method<ShaftSlabsQuestion>&, scene::Scalar, const scene::ShaftSlabsCase&);
+template Trial try_case(const Method<ShaftOrientedBoxQuestion>&, scene::Scalar,
+                        const scene::ShaftOrientedBoxCase&);
+template Trial try_case(const Method<ShaftEllipsoidQuestion>&, scene::Scalar,
+                        const scene::ShaftEllipsoidCase&);
+template Witness make_witness(const Method<ShaftSlabsQuestion>&, scene::Scalar, const scene::ShaftSlabsCase&,
+                              Shrinking);
+template Witness make_witness(const Method<ShaftOrientedBoxQuestion>&, scene::Scalar,
+                              const scene::ShaftOrientedBoxCase&, Shrinking);
+template Witness make_witness(const Method<ShaftEllipsoidQuestion>&, scene::Scalar,
+                              const scene::ShaftEllipsoidCase&, Shrinking);
 template Witness make_witness(const Method<ShaftBoxQuestion>&, scene::Scalar, const scene::ShaftBoxCase&,
                               Shrinking);
 template Witness make_witness(const Method<ShaftBallQuestion>&, scene::Scalar, const scene::ShaftBallCase&,

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "fuzz/row_result.h"
-#include "fuzz/shaft_questions.h"
+#include "fuzz/volume_questions.h"
 
 namespace gnomon::fuzz {
 

@@ -8,6 +8,7 @@
 #include "fuzz/generator.h"
 #include "fuzz/shaft_questions.h"
 #include "fuzz/statistics.h"
+#include "fuzz/volume_questions.h"
 #include "reports/environment.h"
 #include "reports/pair_methods_text.h"
 #include "reports/scene_methods_text.h"
@@ -169,8 +170,11 @@ std::string campaign_text(const fuzz::CampaignResult& result) {
 
 std::string list_text(const fuzz::Plugins* plugins) {
   std::string text = "Questions and methods (name, tier, scalars, promise, what it is):\n\n";
-  text += methods_text<fuzz::ShaftBoxQuestion>(plugins) + "\n" +
-          methods_text<fuzz::ShaftBallQuestion>(plugins) + "\n" + pair_methods_text() + scene_methods_text();
+  text +=
+      methods_text<fuzz::ShaftBoxQuestion>(plugins) + "\n" + methods_text<fuzz::ShaftBallQuestion>(plugins) +
+      "\n" + methods_text<fuzz::ShaftSlabsQuestion>(plugins) + "\n" +
+      methods_text<fuzz::ShaftOrientedBoxQuestion>(plugins) + "\n" +
+      methods_text<fuzz::ShaftEllipsoidQuestion>(plugins) + "\n" + pair_methods_text() + scene_methods_text();
   text +=
       "\nDistributions (NAME or NAME:ARG, @K for K cases a shaft; at least these shares "
       "outside/overlap/inside, of "
@@ -201,6 +205,9 @@ std::string list_json(const fuzz::Plugins* plugins) {
   json["tool"] = version();
   json["questions"] = {methods_json<fuzz::ShaftBoxQuestion>(plugins),
                        methods_json<fuzz::ShaftBallQuestion>(plugins),
+                       methods_json<fuzz::ShaftSlabsQuestion>(plugins),
+                       methods_json<fuzz::ShaftOrientedBoxQuestion>(plugins),
+                       methods_json<fuzz::ShaftEllipsoidQuestion>(plugins),
                        candidate_question_json(),
                        patch_question_json(),
                        shadow_question_json(),

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "fuzz/replay.h"
-#include "fuzz/shaft_questions.h"
+#include "fuzz/volume_questions.h"
 #include "reports/explain_shadow.h"
 #include "reports/picture.h"
 #include "reports/text_picture.h"
@@ -51,6 +51,7 @@ std::string answer_words(scene::Category truth, const char* volume) {
   return {};
 }
 
+/// What `unit` says of the gap: of balls it is a squared length, of ellipsoids a pure number.
 template <class Case, class Reference>
 std::string truth_text(const Case& c, const char* volume, const char* unit) {
   Reference reference;
@@ -67,11 +68,62 @@ bool is_box(const scene::CorpusLine& line) {
 }
 
 std::vector<double> numbers_of_line(const scene::CorpusLine& line) {
+  std::optional<std::vector<double>> of_volume;
+  fuzz::for_volume_question(line.question,
+                            [&](auto question) { of_volume = line.numbers(question.number_count); });
+  if (of_volume) return *of_volume;
   if (!is_box(line) && line.question != fuzz::ShaftBallQuestion::id) {
-    line.fail("a question (shaft-box, shaft-sphere, shadow)", "\"" + line.question + "\"");
+    line.fail(
+        "a question (shaft-box, shaft-sphere, shaft-slabs, shaft-oriented-box, shaft-ellipsoid, shadow)",
+        "\"" + line.question + "\"");
   }
   return line.numbers(is_box(line) ? fuzz::ShaftBoxQuestion::number_count
                                    : fuzz::ShaftBallQuestion::number_count);
+}
+
+std::string vectors_text(const char* name, const char* what, std::span<const double> numbers) {
+  return fmt::format("  {}  {} {}\n     hex  {}\n", name, what, numbers_text(numbers, decimal_text),
+                     numbers_text(numbers, hex_text));
+}
+
+/// A volume T of twelve numbers: its centre, then its axes.
+std::string spanned_text(std::span<const double> numbers) {
+  return vectors_text("T", "centre", numbers) + vectors_text(" ", "axis 1", numbers.subspan(3)) +
+         vectors_text(" ", "axis 2", numbers.subspan(6)) + vectors_text(" ", "axis 3", numbers.subspan(9)) +
+         "\n";
+}
+
+std::string slabs_text(std::span<const double> numbers) {
+  constexpr std::array<const char*, 7> kNormals{"x",          "y",          "z",        "x + y + z",
+                                                "-x + y + z", "-x - y + z", "x - y + z"};
+  std::string text;
+  for (std::size_t k = 0; k < 7; ++k) {
+    text += fmt::format("  {}  {} <= {} <= {}\n     hex  {}  {}\n", k == 0 ? "T" : " ",
+                        decimal_text(numbers[k]), kNormals[k], decimal_text(numbers[k + 7]),
+                        hex_text(numbers[k]), hex_text(numbers[k + 7]));
+  }
+  return text + "\n";
+}
+
+/// T and the truth of a case of the other volumes.
+std::string volume_text(const scene::CorpusLine& line, std::span<const double> all) {
+  if (line.question == fuzz::ShaftSlabsQuestion::id) {
+    const auto c = fuzz::case_of<scene::ShaftSlabsCase>(all);
+    return slabs_text(all.subspan(12)) +
+           truth_text<scene::ShaftSlabsCase, exact::VolumeReference>(c, "the slab set T", "");
+  }
+  if (line.question == fuzz::ShaftOrientedBoxQuestion::id) {
+    const auto c = fuzz::case_of<scene::ShaftOrientedBoxCase>(all);
+    return spanned_text(all.subspan(12)) +
+           truth_text<scene::ShaftOrientedBoxCase, exact::VolumeReference>(c, "the oriented box T", "");
+  }
+  const auto c = fuzz::case_of<scene::ShaftEllipsoidCase>(all);
+  return spanned_text(all.subspan(12)) + truth_text<scene::ShaftEllipsoidCase, exact::VolumeReference>(
+                                             c, "the ellipsoid T", " (a number from -1 to 1)");
+}
+
+bool is_volume(const scene::CorpusLine& line) {
+  return fuzz::for_volume_question(line.question, [](auto) {});
 }
 
 }  // namespace
@@ -86,7 +138,9 @@ std::string explain(const scene::CorpusLine& line, const fuzz::Plugins* plugins)
   std::string text = fmt::format("{}:{}: {} ({})\n", line.file, line.line, line.question,
                                  single ? "all numbers are floats" : "double precision");
   text += box_text("A", all.first(6)) + box_text("B", all.subspan(6, 6));
-  if (is_box(line)) {
+  if (is_volume(line)) {
+    text += volume_text(line, all);
+  } else if (is_box(line)) {
     text += box_text("T", all.subspan(12, 6)) + "\n";
     const auto c = fuzz::case_of<scene::ShaftBoxCase>(all);
     text += truth_text<scene::ShaftBoxCase, exact::ShaftBoxReference>(c, "the box T", "");
@@ -100,9 +154,10 @@ std::string explain(const scene::CorpusLine& line, const fuzz::Plugins* plugins)
   }
   text += "\nThe methods say:\n";
   for (const fuzz::ReplayLine& by : replayed.lines) {
-    text += fmt::format("  {:<15} {:<10}{}\n", by.method, by.answer, by.verdict);
+    text += fmt::format("  {:<19} {:<10}{}\n", by.method, by.answer, by.verdict);
   }
   for (const std::string& failure : replayed.failures) text += "  " + failure + "\n";
+  if (is_volume(line)) text += "\nPictures are drawn of boxes and balls only.\n";
   if (const std::optional<ShaftCase> c = shaft_case(line.question, numbers, single ? "f32" : "f64")) {
     text += "\n" + text_picture(*c);
   }
@@ -110,6 +165,7 @@ std::string explain(const scene::CorpusLine& line, const fuzz::Plugins* plugins)
 }
 
 std::string explain_svg(const scene::CorpusLine& line) {
+  if (is_volume(line)) line.fail("a box or a ball for a picture", "\"" + line.question + "\"");
   if (line.question == fuzz::kShadowQuestion) {
     line.fail("a shaft case for a picture", "\"" + line.question + "\"");
   }

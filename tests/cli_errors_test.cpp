@@ -151,7 +151,8 @@ TEST_F(BadInput, CorporaNameFileLineAndWhatWasExpected) {
              {{verb, "few.txt"}, "few.txt:1: expected 16 numbers for shaft-sphere, found 15"},
              {{verb, "many.txt"}, "many.txt:1: expected 18 numbers for shaft-box, found 19"},
              {{verb, "question.txt"},
-              "question.txt:1: expected a question (shaft-box, shaft-sphere, shadow)"},
+              "question.txt:1: expected a question (shaft-box, shaft-sphere, shaft-slabs, "
+              "shaft-oriented-box, shaft-ellipsoid, shadow)"},
              {{verb, "answer.txt"}, "answer.txt:1: expected outside, overlap or inside"},
              {{verb, "arrow.txt"}, "arrow.txt:1: expected an answer after \"->\""},
              {{verb, "escape.txt"}, "escape.txt:1: expected "},

@@ -203,7 +203,9 @@ TEST(Corpus, ComplaintsNameFileLineAndWhatWasExpected) {
       {"shaft-sphere 0 0 0 1 1 1 2 2 4 3 3 3 0 0 0 1", "c.txt:1: expected a box B with finite lo <= hi"},
       {"shaft-sphere 0 0 0 1 1 1 2 2 2 3 3 3 0 0 0 -1",
        "c.txt:1: expected a ball with finite centre and radius >= 0"},
-      {kBox + "\nwhat 1", "c.txt:2: expected a question (shaft-box, shaft-sphere, shadow), found "},
+      {kBox + "\nwhat 1",
+       "c.txt:2: expected a question (shaft-box, shaft-sphere, shaft-slabs, shaft-oriented-box, "
+       "shaft-ellipsoid, shadow), found "},
       {kBox + " -> outsid", "c.txt:1: expected outside, overlap or inside after \"->\", found "},
   };
   for (const auto& [text, message] : bad) {
