@@ -13,6 +13,7 @@ struct CullCounters {
   std::uint64_t items = 0;            ///< items on them
   std::uint64_t marks = 0;            ///< children marked outside
   std::uint64_t volumes = 0;          ///< items held against a shaft
+  std::uint64_t comparisons = 0;      ///< of these volumes with the extent box or a reference box
   std::uint64_t planes = 0;           ///< planes evaluated, near and far corners apart
   std::uint64_t enclosures = 0;       ///< items held against a reference box for enclosing it
   std::uint64_t emitter_volumes = 0;  ///< items held against the emitter's box or plane for its list

@@ -83,16 +83,22 @@ void ShaftCull::form(const ItemTree& tree, const ListOptions& options, const sce
 Category ShaftCull::classify_box(const Shaft<float>& shaft, const scene::Box<float>& box, bool meets_emitter,
                                  bool want_inside, CullCounters& counters) const {
   if (!meets_emitter) {
-    if (!meets(box, shaft.extent)) return Category::outside;
+    const auto apart = [&](const scene::Box<float>& other) {
+      ++counters.comparisons;
+      return !meets(box, other);
+    };
+    if (apart(shaft.extent)) return Category::outside;
     // What meets a reference box can't be outside (claim S10); comparisons alone tell.
-    if (!meets(box, shaft.a) && !meets(box, shaft.b)) {
+    if (apart(shaft.a) && apart(shaft.b)) {
       for (const ShaftPlane<float>& plane : shaft.planes()) {
         ++counters.planes;
         if (plane.near_value(box) > plane.outside_threshold) return Category::outside;
       }
     }
   }
-  if (!want_inside || !contains(shaft.extent, box)) return Category::overlap;
+  if (!want_inside) return Category::overlap;
+  ++counters.comparisons;
+  if (!contains(shaft.extent, box)) return Category::overlap;
   for (const ShaftPlane<float>& plane : shaft.planes()) {
     ++counters.planes;
     if (!(plane.far_value(box) <= plane.inside_threshold)) return Category::overlap;
@@ -105,6 +111,7 @@ Category ShaftCull::classify_ball(const Shaft<float>& shaft, const scene::Ball<f
   const BallSlack<float>& slack = shaft.slack;
   const float square = ball.radius * ball.radius;
   const auto apart = [&](const scene::Box<float>& box) {
+    ++counters.comparisons;
     return squared_distance(ball.centre, box) > square * slack.square_factor + slack.square_offset;
   };
   if (!meets_emitter && apart(shaft.extent)) return Category::outside;
@@ -113,6 +120,7 @@ Category ShaftCull::classify_ball(const Shaft<float>& shaft, const scene::Ball<f
   if (!meets_emitter) meets_emitter = !apart(shaft.a) || !apart(shaft.b);
 
   bool inside = want_inside;
+  counters.comparisons += want_inside ? 1 : 0;
   for (int axis = 0; axis < 3 && inside; ++axis) {
     const float x = ball.centre[static_cast<std::size_t>(axis)], reach = ball.radius * slack.inside_factor;
     inside = x - shaft.extent.lo(axis) >= reach && shaft.extent.hi(axis) - x >= reach;
