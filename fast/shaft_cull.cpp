@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "fast/shaft_cull.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "fast/box_relation.h"
@@ -31,11 +30,11 @@ void choose_planes(const ListOptions& options, Shaft<float>& shaft) {
   std::uint8_t kept = 0;
   for (std::uint8_t i = 0; i < shaft.plane_count; ++i) {
     const float share = share_cut_off(shaft, shaft.plane_set[i]);
-    if (!(share < options.weak_planes)) shares[kept++] = {share, i};
-  }
-  if (options.sort_planes) {
-    std::stable_sort(shares.begin(), shares.begin() + kept,
-                     [](const Share& x, const Share& y) { return x.share > y.share; });
+    if (share < options.weak_planes) continue;
+    std::uint8_t place = kept++;
+    for (; options.sort_planes && place > 0 && shares[place - 1U].share < share; --place)
+      shares[place] = shares[place - 1U];
+    shares[place] = {share, i};
   }
   const auto all = shaft.plane_set;
   for (std::uint8_t i = 0; i < kept; ++i) shaft.plane_set[i] = all[shares[i].plane];

@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/patch_pair.h"
 #include "exact/polygons.h"
 #include "exact/shaft_box.h"
 #include "exact/shaft_candidates.h"
+#include "exact/side_of_face.h"
 #include "fast/box_relation.h"
 #include "fuzz/list_options_text.h"
 #include "tests/scene_cases.h"
@@ -31,9 +33,6 @@ using scene::Scene;
 
 using FloatBox = scene::Box<float>;
 using Faces = std::vector<std::uint32_t>;
-
-constexpr Strategy kStrategies[] = {Strategy::keep_closed, Strategy::always_open, Strategy::overlap_open,
-                                    Strategy::ratio_open};
 
 /// A box of the grid or of floats about the scene's unit; sometimes flat, a point, or a face's own.
 FloatBox random_reference(Random& random, const ItemTree& tree, bool grid, const Placement& place = {}) {
@@ -67,7 +66,7 @@ bool includes(const Faces& all, const Faces& some) {
 ListOptions random_options(Random& random, Arithmetic arithmetic) {
   ListOptions options;
   options.arithmetic = arithmetic;
-  options.strategy = kStrategies[random.below(4)];
+  options.strategy = static_cast<Strategy>(random.below(4));
   options.ratio = static_cast<float>(random.below(6)) / 5;
   options.discard_single = random.chance(50);
   options.enclosure = random.chance(50);
@@ -317,6 +316,55 @@ TEST(CandidateList, EmitterListIsWhatDoesNotEncloseTheEmitter) {
   EXPECT_GT(overlapping, 500u);
   EXPECT_GT(apart, 500u);
   EXPECT_GT(opened, 100u);
+}
+
+// Patches that face each other, exactly: with their planes, lists still hold all faces that can block.
+TEST(CandidateList, PatchPlanesLoseNoFaceThatCanBlock) {
+  std::size_t blocking = 0, fewer = 0;
+  on_placed_trees(
+      7, affordable(1500), true,
+      [&](const Scene& scene, const ItemTree& tree, Random& random, bool, const Placement& place) {
+        for (int pair = 0; pair < 10; ++pair) {
+          scene::Patch patches[2];
+          Reference references[2];
+          for (std::size_t k = 0; k < 2; ++k) {
+            const auto face =
+                static_cast<std::uint32_t>(random.below(static_cast<int>(scene.triangles.size())));
+            references[k].front = tree.triangle(face);
+            references[k].box = tree.item(tree.primitive_of(face)).box;
+            references[k].own = {face, 1};
+            patches[k].face = face;
+            for (std::size_t c = 0; c < 3; ++c) patches[k].corners[c] = scene.corner(face, c);
+          }
+          const auto faces_wholly = [&](std::size_t a, std::size_t b) {
+            return std::all_of(patches[b].corners.begin(), patches[b].corners.end(),
+                               [&](const auto& p) { return exact::side_of_face(patches[a].corners, p) > 0; });
+          };
+          if (!faces_wholly(0, 1) || !faces_wholly(1, 0)) continue;
+          ListOptions options = random_options(random, Arithmetic::certified);
+          Faces faces[2];
+          for (const bool planes : {false, true}) {
+            options.patch_planes = options.behind_emitter = planes;
+            ListBuilder builder(tree, scene, options);
+            CandidateList list;
+            builder.begin_emitter(references[0]);
+            builder.build(references[1], 5, list);
+            faces[planes ? 1 : 0] = faces_of(tree, list);
+          }
+          for (std::uint32_t face = 0; face < scene.face_count(); ++face) {
+            const std::uint32_t item = tree.primitive_of(face);
+            if (item == tree.primitive_of(patches[0].face) || item == tree.primitive_of(patches[1].face))
+              continue;
+            if (!exact::can_block(scene, face, {patches[0], patches[1]})) continue;
+            ++blocking;
+            ASSERT_TRUE(std::binary_search(faces[1].begin(), faces[1].end(), face))
+                << fuzz::text_of({options, {}, tree.volumes(), 1});
+          }
+          fewer += faces[1].size() < faces[0].size();
+        }
+      });
+  EXPECT_GT(blocking, 1000u);
+  EXPECT_GT(fewer, 100u);
 }
 
 // Weak planes that are left out only ever add, and sorted planes change nothing.
