@@ -323,7 +323,7 @@ TEST(CandidateList, PatchPlanesLoseNoFaceThatCanBlock) {
   std::size_t blocking = 0, fewer = 0;
   on_placed_trees(
       7, affordable(1500), true,
-      [&](const Scene& scene, const ItemTree& tree, Random& random, bool, const Placement& place) {
+      [&](const Scene& scene, const ItemTree& tree, Random& random, bool, const Placement&) {
         for (int pair = 0; pair < 10; ++pair) {
           scene::Patch patches[2];
           Reference references[2];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fast/front_plane.h: the threshold of half-spaces, from both sides.
+// fast/front_plane.h: the threshold of half-spaces, from both sides; and what planes of shafts cut off.
 #include "fast/front_plane.h"
 
 #include <gtest/gtest.h>
@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "exact/side_of_face.h"
+#include "fast/shaft_cull.h"
 #include "fuzz/shapes.h"
 #include "tests/bound_shares.h"
 #include "tests/shaft_random.h"
@@ -126,6 +127,38 @@ TEST(FrontPlane, AcrossAnAxisTheTestIsExactAndDegeneratePlanesSayNothing) {
   const FrontPlane far = fast::form_front_plane({{{0, 0, 0}, {1, 0, 1}, {0, 1, 0}}},
                                                 {{-kMost, 0, 0, kMost, 0, 0}}, Arithmetic::certified);
   EXPECT_FALSE(far.none_in_front(box_at({1, 0, 0})));
+}
+
+// Against the share of a fine lattice of points in the extent box that lie outside of the plane.
+TEST(ShaftCull, ShareCutOffIsThatOfTheExtentBox) {
+  Random random(8);
+  int planes = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    FloatBox a, b;
+    for (FloatBox* box : {&a, &b}) {
+      for (int axis = 0; axis < 3; ++axis) {
+        box->lo(axis) = static_cast<float>(random.below(8));
+        box->hi(axis) = box->lo(axis) + static_cast<float>(random.below(5));
+      }
+    }
+    const fast::Shaft<float> shaft = fast::form_shaft(a, b, fast::Normals::as_formed);
+    for (const fast::ShaftPlane<float>& plane : shaft.planes()) {
+      ++planes;
+      const int axis0 = fast::axis_of(plane.far0), axis1 = fast::axis_of(plane.far1);
+      constexpr int kCells = 200;
+      int outside = 0;
+      for (int i = 0; i < kCells * kCells; ++i) {
+        const auto at = [&](int axis, int cell) {
+          const float share = (static_cast<float>(cell) + 0.5F) / kCells;
+          return shaft.extent.lo(axis) + share * (shaft.extent.hi(axis) - shaft.extent.lo(axis));
+        };
+        outside += plane.value(at(axis0, i / kCells), at(axis1, i % kCells)) > 0;
+      }
+      EXPECT_NEAR(fast::share_cut_off(shaft, plane), static_cast<float>(outside) / (kCells * kCells), 0.01F);
+    }
+  }
+  EXPECT_GT(planes, 200);
+  EXPECT_EQ(fast::shrunk({{0, 2, 4, 1, 2, 8}}, 0.25F), (FloatBox{{0.25F, 2, 5, 0.75F, 2, 7}}));
 }
 
 }  // namespace

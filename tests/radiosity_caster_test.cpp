@@ -323,6 +323,7 @@ TEST(RadiosityCaster, EveryOptionDoesWhatItSays) {
   EXPECT_LT(shared.cull.lists, standard.cull.lists);
   EXPECT_GT(shared.cull.lists, 0u);
   EXPECT_LT(tests(shared), tests(run("min-rays=4294967295")));
+  EXPECT_LT(tests(shared), tests(run("super-least=32,super-most=32")));  // fewer share, the others have none
   for (const char* sorting : {"sorting=solid-angle", "sorting=nearest", "sorting=hits"}) {
     EXPECT_EQ(run(std::string(sorting) + ",shadow-cache=off").cull.items, run("shadow-cache=off").cull.items);
     EXPECT_NE(tests(run(sorting)), tests(standard)) << sorting;
