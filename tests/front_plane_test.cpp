@@ -22,6 +22,11 @@ using fast::FrontPlane;
 
 using FloatBox = scene::Box<float>;
 
+/// What so many trials find at least; sanitized builds run fewer of them.
+std::size_t least(int count) {
+  return static_cast<std::size_t>(affordable(count));
+}
+
 /// What the value of the plane errs by, over its threshold, at a point; in 113 bits.
 double share_of_threshold(const fast::FrontCorners& corners, const FrontPlane& plane,
                           const std::array<float, 3>& p) {
@@ -96,11 +101,11 @@ TEST(FrontPlane, CertifiedPlanesNeverCallWhatIsInFrontBehindAndAreNotMuchTooCare
     near += plane.none_in_front(box) && naive.none_in_front(box);
     if (plane.threshold > 0) most = std::max(most, share_of_threshold(corners, plane, p));
   }
-  EXPECT_GT(wrong, 100u);   // naive planes do err on these
-  EXPECT_GT(culled, 100u);  // and certified ones still cull
+  EXPECT_GT(wrong, least(100));   // naive planes do err on these
+  EXPECT_GT(culled, least(100));  // and certified ones still cull
   EXPECT_EQ(culled, near);
   EXPECT_LE(most, 1);
-  EXPECT_GT(most, 0.2);  // what the bound gives away
+  EXPECT_GT(most, 0.15);  // what the bound gives away
 }
 
 TEST(FrontPlane, AcrossAnAxisTheTestIsExactAndDegeneratePlanesSayNothing) {

@@ -200,7 +200,7 @@ Scene office() {
 TEST(RadiosityCaster, EveryStrategyAndOptionGivesTheVisibilityOfCastingFromTheRoot) {
   Random random(1);
   expect_same_visibility(Stage(random, office(), kSanitized ? 5 : 30, 10));
-  for (int trial = 0; trial < affordable(24) && !HasFailure(); ++trial) {
+  for (int trial = 0; trial < affordable(16) && !HasFailure(); ++trial) {
     Scene scene =
         random_scene(random, {random.between(20, 120), trial % 3 == 0 ? 10 : 0, false}, Placement());
     expect_same_visibility(Stage(random, std::move(scene), 100, 4));
