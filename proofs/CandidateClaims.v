@@ -95,18 +95,28 @@ Proof.
     + apply existsb_exists; exists c; split; [exact C|]; apply IH; [exact C|apply H; exact C|exists p; auto].
 Qed.
 
+(** A list that loses nothing that meets the shaft, of primitives of the tree, answers as all of these do. *)
+Lemma sound_lists_cast_alike (l : list item) (i : item) fuel : (forall c, In c l -> bounded c) ->
+  (forall p, In p (below l) -> In p (primitives i)) ->
+  (forall p x, In p (primitives i) -> shape p x -> shaft x -> In p (below l)) ->
+  size_of l < fuel -> cast met hit fuel l = Some (existsb hit (primitives i)).
+Proof.
+  intros W S K F; rewrite cast_ends by exact F; f_equal; apply eq_true_iff_eq; rewrite !existsb_exists; split.
+  - intros [c [C B]]; apply blocked_iff in B; [|apply W; exact C]; destruct B as [p [P H]].
+    exists p; split; [|exact H]; apply S; apply in_below; exists c; auto.
+  - intros [p [P H]]; destruct (hit_right p H) as [x [Sx Rx]].
+    assert (B := K p x P Sx (ray_in_shaft x Rx)); apply in_below in B; destruct B as [c [C B]].
+    exists c; split; [exact C|]; apply blocked_iff; [apply W; exact C|exists p; auto].
+Qed.
+
 (** S16: the ray's answer by any list is that of all primitives, *)
 Theorem every_strategy_casts_alike o i fuel : bounded i -> size_of (candidates o t i) < fuel ->
   cast met hit fuel (candidates o t i) = Some (existsb hit (primitives i)).
 Proof.
-  intros W F; rewrite cast_ends by exact F; f_equal; apply eq_true_iff_eq.
-  rewrite !existsb_exists; split.
-  - intros [c [C K]]; apply blocked_iff in K; [|apply (candidates_bounded o i W c C)]; destruct K as [p [P K]].
-    exists p; split; [|exact K]; apply (below_candidates o t); apply in_below; exists c; auto.
-  - intros [p [P K]]; destruct (hit_right p K) as [x [Sx Rx]].
-    assert (B := every_list_is_sound o i p x W P Sx (ray_in_shaft x Rx)).
-    apply in_below in B; destruct B as [c [C B]]; exists c; split; [exact C|].
-    apply blocked_iff; [apply (candidates_bounded o i W c C)|exists p; auto].
+  intro W; apply sound_lists_cast_alike.
+  - apply candidates_bounded; exact W.
+  - apply below_candidates.
+  - intros p x; apply every_list_is_sound; exact W.
 Qed.
 (** and that of the whole hierarchy. *)
 Theorem the_hierarchy_casts_alike i fuel : bounded i -> size_of [i] < fuel ->
@@ -249,6 +259,23 @@ Proof.
   apply in_below in B; destruct B as [c [C B]]; apply below_flat_map; exists c; split; [exact C|].
   apply (every_list_is_sound holds shape shaft' t' H' o' c p x); auto.
   apply (candidates_bounded holds shape t o i W c C).
+Qed.
+
+(** S16 for such a list: a ray of the sub-shaft is answered as by all primitives. *)
+Theorem nested_lists_cast_alike {point} (holds : bound -> point -> Prop) shape (shaft shaft' ray : point -> Prop)
+    o o' t t' met hit i fuel :
+  (forall b y, classify t b = Outside -> holds b y -> shaft y -> False) ->
+  (forall b y, classify t' b = Outside -> holds b y -> shaft' y -> False) -> (forall y, shaft' y -> shaft y) ->
+  (forall y, ray y -> shaft' y) -> (forall p, hit p = true -> exists x, shape p x /\ ray x) ->
+  (forall b x, holds b x -> ray x -> met b = true) -> bounded holds shape i ->
+  size_of (flat_map (candidates o' t') (candidates o t i)) < fuel ->
+  cast met hit fuel (flat_map (candidates o' t') (candidates o t i)) = Some (existsb hit (primitives i)).
+Proof.
+  intros H H' S R Hit Met W; apply sound_lists_cast_alike with holds shape shaft' ray; auto.
+  - intros c C; apply in_flat_map in C; destruct C as [d [D C]].
+    apply (candidates_bounded holds shape t' o' d); [|exact C]; apply (candidates_bounded holds shape t o i W d D).
+  - intros p P; apply (below_candidates o t); apply (list_from_the_parents_within o o' t t'); exact P.
+  - intros p x P Sx Sp; apply (list_from_the_parents_is_sound holds shape shaft shaft' o o' t t' i p x); auto.
 Qed.
 
 (** ** The emitter list, S20 *)

@@ -44,7 +44,7 @@ bool is_in_a_solid(const scene::Scene& scene, std::span<const std::uint8_t> conv
 }
 
 /// S21: what the culled lists' faces exactly block is what all faces do, for points on no solid.
-TEST(CandidateClaims, CulledBackFacesChangeNoAnswer) {
+TEST(BackFaceClaims, CulledBackFacesChangeNoAnswer) {
   Random random(21);
   int culled = 0, blocked = 0, inside = 0;
   for (int i = 0; i < affordable(2000); ++i) {
@@ -91,7 +91,7 @@ TEST(CandidateClaims, CulledBackFacesChangeNoAnswer) {
 
 /// S21 where the emitter is inside: every face of the solid is a back face, and one of them blocks. The lists
 /// don't cull there.
-TEST(CandidateClaims, EmitterInsideASolidSeesBackFacesAlone) {
+TEST(BackFaceClaims, EmitterInsideASolidSeesBackFacesAlone) {
   const scene::Scene scene = scene_of({tetrahedron({Point{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}})}, true);
   ASSERT_TRUE(exact::is_convex(scene, scene.objects[0]));
   const ItemTree tree = tree_of(scene);
@@ -109,7 +109,7 @@ TEST(CandidateClaims, EmitterInsideASolidSeesBackFacesAlone) {
 }
 
 /// S21 in floats: the face by which the ray enters is just in front, and the naive plane says it is not.
-TEST(CandidateClaims, NaivePlaneCullsTheFaceThatBlocks) {
+TEST(BackFaceClaims, NaivePlaneCullsTheFaceThatBlocks) {
   const std::array<Point, 4> p{
       Point{1001.20001F, 1003.79999F, 1002.59998F}, Point{1003.79999F, 1002.5F, 1003.59998F},
       Point{1001.20001F, 1002.70001F, 1002.09998F}, Point{1002.5F, 1002.09998F, 1003.79999F}};
@@ -129,7 +129,7 @@ TEST(CandidateClaims, NaivePlaneCullsTheFaceThatBlocks) {
 }
 
 /// S22: a wall near the rim of the receiver, not on it. Without the tolerance it is on the list.
-TEST(CandidateClaims, AdjacencyToleranceLosesABlocker) {
+TEST(BackFaceClaims, AdjacencyToleranceLosesABlocker) {
   const Solid wall{{Point{0.25F, 3, 0.125F}, {0.25F, 5, 0.125F}, {0.25F, 4, 2}}};
   const scene::Scene scene = scene_of({wall});
   const ItemTree tree = tree_of(scene);
