@@ -60,20 +60,21 @@ Proof.
 Qed.
 
 (** S11: a ray's end q lies in a slab; then so does the parameter 1, if the end is rounded alike, and the inverse of the
-    direction has a relative error of at most u: no overflow nor underflow. Without the widening, 1 - u might be the
-    slab's far end, and another slab's near end 1. Written for ascending rays; descending ones mirror them. *)
+    direction has a relative error below u: no overflow nor underflow. ([SlabRay] has it for floats.) Without the
+    widening, 1 - u might be the slab's far end, and another slab's near end 1. Written for ascending rays; descending
+    ones mirror them. *)
 Variable u : R.
 Hypothesis u_small : 0 <= u < 1.
 Hypothesis rnd_1 : rnd 1 = 1.
-Hypothesis just_above_one : forall x, x <= 1 + u -> rnd x <= 1.
+Hypothesis just_above_one : forall x, x < 1 + u -> rnd x <= 1.
 Hypothesis just_below_one : forall x, 1 - u <= x -> 1 - u <= rnd x.
 Theorem end_within_slab_is_never_missed lo hi p q e widen : lo <= q <= hi -> 0 < rnd (q - p) ->
-  Rabs e <= u -> 1 <= (1 - u) * widen -> let inverse := (1 + e) / rnd (q - p) in
+  Rabs e < u -> 1 <= (1 - u) * widen -> let inverse := (1 + e) / rnd (q - p) in
   let enter := rnd (rnd (lo - p) * inverse) in let leave := rnd (rnd (rnd (hi - p) * inverse) * widen) in
   enter <= 1 <= leave.
 Proof.
   intros [L H] P E W; cbv zeta; set (d := rnd (q - p)) in *; set (inverse := (1 + e) / d).
-  assert (B : - u <= e <= u) by (unfold Rabs in E; destruct (Rcase_abs e); lra).
+  assert (B : - u < e < u) by (unfold Rabs in E; destruct (Rcase_abs e); lra).
   assert (Ei : d * inverse = 1 + e) by (unfold inverse; field; lra).
   assert (Pi : 0 <= inverse) by (unfold inverse; apply Rmult_le_pos; [lra|left; apply Rinv_0_lt_compat; exact P]).
   assert (A : rnd (lo - p) <= d) by (apply rnd_le; lra).
