@@ -43,6 +43,10 @@ class RangeOfS {
            sign_of(FT(upper_->at0 * lower_->at1 - lower_->at0 * upper_->at1)) != Sign::negative;
   }
 
+  /// What bounds the range closest; nothing where 0 or 1 does.
+  [[nodiscard]] const std::optional<LinearInS<FT>>& lower() const { return lower_; }
+  [[nodiscard]] const std::optional<LinearInS<FT>>& upper() const { return upper_; }
+
  private:
   bool open_;
   std::optional<LinearInS<FT>> lower_, upper_;

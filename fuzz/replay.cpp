@@ -5,6 +5,7 @@
 
 #include "fuzz/generator.h"
 #include "fuzz/method_failure.h"
+#include "fuzz/replay_pair.h"
 #include "fuzz/replay_shadow.h"
 #include "fuzz/witness.h"
 #include "scene/line_reader.h"
@@ -62,12 +63,14 @@ void replay_line(const scene::CorpusLine& line, Asked& asked, ReplayResult& resu
   }
 }
 
-std::vector<const SceneMethod*> wanted_scene_methods(const Asked& asked) {
-  std::vector<const SceneMethod*> wanted;
-  for (const SceneMethod& method : asked.rows.scene_methods) {
-    if (asked.wants(method.name)) wanted.push_back(&method);
+/// Those of the rows that are wanted.
+template <class Row>
+std::vector<const Row*> wanted(std::span<const Row> rows, const Asked& asked) {
+  std::vector<const Row*> result;
+  for (const Row& row : rows) {
+    if (asked.wants(row.name)) result.push_back(&row);
   }
-  return wanted;
+  return result;
 }
 
 template <class Q>
@@ -76,13 +79,18 @@ bool has_method(const std::string& name, const Plugins* plugins) {
   return std::any_of(all.begin(), all.end(), [&](const Method<Q>* m) { return m->name == name; });
 }
 
+template <class Row>
+bool has_row(std::span<const Row> all, const std::string& name) {
+  return std::ranges::any_of(all, [&](const Row& row) { return row.name == name; });
+}
+
 bool is_known(const std::string& name, const ReplayRows& rows) {
   return has_method<ShaftBoxQuestion>(name, rows.plugins) ||
          has_method<ShaftBallQuestion>(name, rows.plugins) ||
          has_method<ShaftSlabsQuestion>(name, rows.plugins) ||
          has_method<ShaftOrientedBoxQuestion>(name, rows.plugins) ||
-         has_method<ShaftEllipsoidQuestion>(name, rows.plugins) ||
-         std::ranges::any_of(rows.scene_methods, [&](const SceneMethod& m) { return m.name == name; });
+         has_method<ShaftEllipsoidQuestion>(name, rows.plugins) || has_row(rows.scene_methods, name) ||
+         has_row(candidate_methods(), name) || has_row(pair_methods(), name);
 }
 
 }  // namespace
@@ -105,7 +113,9 @@ ReplayResult replay(const std::vector<scene::CorpusLine>& corpus, const std::vec
   }
   ReplayResult result;
   Asked asked{methods, rows};
-  const std::vector<const SceneMethod*> scene_methods = wanted_scene_methods(asked);
+  const std::vector<const SceneMethod*> scene_methods = wanted(rows.scene_methods, asked);
+  const std::vector<const CandidateMethod*> candidates = wanted(candidate_methods(), asked);
+  const std::vector<const PairMethod*> pairs = wanted(pair_methods(), asked);
   for (const scene::CorpusLine& line : corpus) {
     if (line.question == ShaftBoxQuestion::id) {
       replay_line<ShaftBoxQuestion>(line, asked, result);
@@ -113,11 +123,16 @@ ReplayResult replay(const std::vector<scene::CorpusLine>& corpus, const std::vec
       replay_line<ShaftBallQuestion>(line, asked, result);
     } else if (line.question == kShadowQuestion) {
       replay_shadow(line, scene_methods, result);
+    } else if (line.question == kCandidatesQuestion) {
+      replay_candidates(line, candidates, result);
+    } else if (line.question == kPairQuestion) {
+      replay_pair(line, pairs, result);
     } else if (!for_volume_question(line.question, [&](auto question) {
                  replay_line<decltype(question)>(line, asked, result);
                })) {
       line.fail(
-          "a question (shaft-box, shaft-sphere, shaft-slabs, shaft-oriented-box, shaft-ellipsoid, shadow)",
+          "a question (shaft-box, shaft-sphere, shaft-slabs, shaft-oriented-box, shaft-ellipsoid, shadow, "
+          "shaft-candidates, patch-pair)",
           scene::in_quotes(line.question));
     }
   }

@@ -37,8 +37,8 @@ struct ReplayResult {
 /// How corpora call the question of scene/shadow_case.h.
 inline constexpr std::string_view kShadowQuestion = "shadow";
 
-/// Rows beside the shafts' own registry: plug-ins' for shafts, and all those for `shadow`, which other
-/// projects' may be among.
+/// Rows beside the registries of shafts and of pairs: plug-ins' for shafts, and all those for `shadow`, which
+/// other projects' may be among.
 struct ReplayRows {
   const Plugins* plugins = nullptr;
   std::span<const SceneMethod> scene_methods = fuzz::scene_methods();

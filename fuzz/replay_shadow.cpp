@@ -14,14 +14,6 @@ namespace gnomon::fuzz {
 
 namespace {
 
-bool are_floats(const scene::Scene& scene) {
-  try {
-    return scene::rounded_to_floats(scene).moved == 0;
-  } catch (const std::runtime_error&) {
-    return false;  // no float is near, or a ball reaches beyond all of them
-  }
-}
-
 bool are_floats(const scene::ShadowQuery& query) {
   return std::ranges::all_of(query.point, scene::is_float) &&
          std::ranges::all_of(query.light, scene::is_float);
@@ -54,6 +46,14 @@ std::string_view name_of_answer(Answer answer) {
 }
 
 }  // namespace
+
+bool are_floats(const scene::Scene& scene) {
+  try {
+    return scene::rounded_to_floats(scene).moved == 0;
+  } catch (const std::runtime_error&) {
+    return false;  // no float is near, or a ball reaches beyond all of them
+  }
+}
 
 bool is_in_domain(const SceneMethod& method, const scene::Scene& scene, const scene::ShadowQuery& query) {
   if (!method.has_balls && !scene.balls.empty()) return false;

@@ -13,6 +13,9 @@ namespace gnomon::fuzz {
 /// True when the verdict breaks the promise; what is rejected breaks none.
 [[nodiscard]] bool is_broken(Promise promise, Verdict verdict);
 
+/// True when all numbers of the scene's faces are floats, and balls stay within their range.
+[[nodiscard]] bool are_floats(const scene::Scene& scene);
+
 /// True when the method takes a scene with such faces and numbers: methods of floats those that are floats,
 /// with balls that stay within their range.
 [[nodiscard]] bool is_in_domain(const SceneMethod& method, const scene::Scene& scene,

@@ -6,7 +6,10 @@
 #include <algorithm>
 
 #include "fuzz/replay.h"
+#include "fuzz/replay_pair.h"
+#include "fuzz/shaft_questions.h"
 #include "fuzz/volume_questions.h"
+#include "reports/explain_pair.h"
 #include "reports/explain_shadow.h"
 #include "reports/picture.h"
 #include "reports/text_picture.h"
@@ -74,7 +77,8 @@ std::vector<double> numbers_of_line(const scene::CorpusLine& line) {
   if (of_volume) return *of_volume;
   if (!is_box(line) && line.question != fuzz::ShaftBallQuestion::id) {
     line.fail(
-        "a question (shaft-box, shaft-sphere, shaft-slabs, shaft-oriented-box, shaft-ellipsoid, shadow)",
+        "a question (shaft-box, shaft-sphere, shaft-slabs, shaft-oriented-box, shaft-ellipsoid, shadow, "
+        "shaft-candidates, patch-pair)",
         "\"" + line.question + "\"");
   }
   return line.numbers(is_box(line) ? fuzz::ShaftBoxQuestion::number_count
@@ -130,6 +134,8 @@ bool is_volume(const scene::CorpusLine& line) {
 
 std::string explain(const scene::CorpusLine& line, const fuzz::Plugins* plugins) {
   if (line.question == fuzz::kShadowQuestion) return explain_shadow(line);
+  if (line.question == fuzz::kCandidatesQuestion) return explain_candidates(line);
+  if (line.question == fuzz::kPairQuestion) return explain_pair(line);
   const std::vector<double> numbers = numbers_of_line(line);
   const std::span<const double> all(numbers);
   const fuzz::ReplayResult replayed = fuzz::replay({line}, {}, {plugins});  // also refuses what is no case
@@ -166,7 +172,8 @@ std::string explain(const scene::CorpusLine& line, const fuzz::Plugins* plugins)
 
 std::string explain_svg(const scene::CorpusLine& line) {
   if (is_volume(line)) line.fail("a box or a ball for a picture", "\"" + line.question + "\"");
-  if (line.question == fuzz::kShadowQuestion) {
+  if (line.question == fuzz::kShadowQuestion || line.question == fuzz::kCandidatesQuestion ||
+      line.question == fuzz::kPairQuestion) {
     line.fail("a shaft case for a picture", "\"" + line.question + "\"");
   }
   const std::vector<double> numbers = numbers_of_line(line);

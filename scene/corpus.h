@@ -12,8 +12,8 @@
 
 namespace gnomon::scene {
 
-/// One case as text: `QUESTION word word ... [-> ANSWER]`, the answer being a word or a set `{word word ...}`,
-/// kept with single spaces. What the words mean is the question's business.
+/// One case as text: `QUESTION word word ... [-> ANSWER]`, the answer being a word or a set `{word word
+/// ...}`, kept with single spaces. What the words mean is the question's business.
 struct CorpusLine {
   std::string file;
   std::size_t line = 0;
@@ -29,8 +29,8 @@ struct CorpusLine {
 };
 
 /// Reads a corpus: blank lines and what follows a '#' are skipped. Throws InputError naming file and line for
-/// a case without words, a lonely "->", more than one answer or a set without an end, and for a file that can't be read or holds no
-/// case.
+/// a case without words, a lonely "->", more than one answer or a set without an end, and for a file that
+/// can't be read or holds no case.
 [[nodiscard]] std::vector<CorpusLine> read_corpus(const std::filesystem::path& path);
 [[nodiscard]] std::vector<CorpusLine> read_corpus(std::istream& in, std::string_view name);
 

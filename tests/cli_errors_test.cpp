@@ -152,7 +152,7 @@ TEST_F(BadInput, CorporaNameFileLineAndWhatWasExpected) {
              {{verb, "many.txt"}, "many.txt:1: expected 18 numbers for shaft-box, found 19"},
              {{verb, "question.txt"},
               "question.txt:1: expected a question (shaft-box, shaft-sphere, shaft-slabs, "
-              "shaft-oriented-box, shaft-ellipsoid, shadow)"},
+              "shaft-oriented-box, shaft-ellipsoid, shadow, shaft-candidates, patch-pair)"},
              {{verb, "answer.txt"}, "answer.txt:1: expected outside, overlap or inside"},
              {{verb, "arrow.txt"}, "arrow.txt:1: expected an answer after \"->\""},
              {{verb, "escape.txt"}, "escape.txt:1: expected "},

@@ -205,7 +205,7 @@ TEST(Corpus, ComplaintsNameFileLineAndWhatWasExpected) {
        "c.txt:1: expected a ball with finite centre and radius >= 0"},
       {kBox + "\nwhat 1",
        "c.txt:2: expected a question (shaft-box, shaft-sphere, shaft-slabs, shaft-oriented-box, "
-       "shaft-ellipsoid, shadow), found "},
+       "shaft-ellipsoid, shadow, shaft-candidates, patch-pair), found "},
       {kBox + " -> outsid", "c.txt:1: expected outside, overlap or inside after \"->\", found "},
   };
   for (const auto& [text, message] : bad) {
