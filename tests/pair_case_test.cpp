@@ -85,7 +85,7 @@ TEST(PairCase, ComplainsInOneLine) {
   const std::pair<std::string, std::string> kCases[] = {
       {"shaft-candidates 0 0 0 1 1", "six numbers for box A, found the end of the line"},
       {"shaft-candidates 0 0 0 1 1 1 0 x", "six numbers for box B, found 'x'"},
-      {"shaft-candidates 0 0 0 1 1 1 0 inf", "a number within the range of a double, found 'inf'"},
+      {"shaft-candidates 0 0 0 1 1 1 0 1e999", "a number within the range of a double, found '1e999'"},
       {"shaft-candidates 0 2 0 1 1 1 0 0 0 1 1 1 0", "a box A with lo <= hi, found 0x1p+1 > 0x1p+0"},
       {kBoxes, "how many faces there are, found the end of the line"},
       {kBoxes + "1 cone", "\"tri\" or \"ball\" for face 0, found 'cone'"},
