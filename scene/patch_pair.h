@@ -27,12 +27,12 @@ struct PatchPair {
 
 /// An open segment between the patches is the set of (1-s)p + sq, 0 < s < 1, for a p of `a` and a q of `b`.
 /// all: no face of the scene but the two patches' own meets an open segment between them.
-/// none: not all, and one face (a triangle or a ball) that lies strictly between the planes of both patches
-///   meets the open segment from every corner of `a` to every corner of `b`, and so every open segment between
-///   them: the shadow of a convex set is convex. Strictly between: every point p of the face has n_a.(p - a_0)
-///   of one sign, not 0, the one that all corners of `b` have too (n_a the normal of `a`, by its corners), and
-///   the same with the patches exchanged. A patch without a normal, or that the other one's plane cuts or
-///   touches, has nothing between.
+/// none: not all, and one other face (a triangle or a ball) that lies strictly between the planes of both
+///   patches meets the open segment from every corner of `a` to every corner of `b`, and so every open
+///   segment between them: the shadow of a convex set is convex. Strictly between: every point p of the face
+///   has n_a.(p - a_0) of one sign, not 0, the one that all corners of `b` have too (n_a the normal of `a`,
+///   by its corners), and the same with the patches exchanged. A patch without a normal, or that the other
+///   one's plane cuts or touches, has nothing between.
 /// part: otherwise. What several faces hide together counts as part.
 enum class PairVisibility : std::uint8_t { all, none, part };
 
