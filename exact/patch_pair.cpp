@@ -74,8 +74,23 @@ bool crosses_surely(const PatchPair& pair, const Corners& f) {
   return false;
 }
 
+/// True when all of f lies beyond a side of the box around both patches.
+bool is_beside(const PatchPair& pair, const Corners& f) {
+  const Corners &a = pair.a.corners, &b = pair.b.corners;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (std::max({f[0][i], f[1][i], f[2][i]}) <
+            std::min({a[0][i], a[1][i], a[2][i], b[0][i], b[1][i], b[2][i]}) ||
+        std::min({f[0][i], f[1][i], f[2][i]}) >
+            std::max({a[0][i], a[1][i], a[2][i], b[0][i], b[1][i], b[2][i]})) {
+      return true;
+    }
+  }
+  return false;
+}
+
 bool triangle_blocks(const PatchPair& pair, const Corners& f, bool pair_in_range, bool& exactly) {
   exactly = false;
+  if (is_beside(pair, f)) return false;
   if (pair_in_range && are_in_range(f)) {
     const CGAL::Interval_nt<false>::Protector upward;
     const SharedCorners shared{shared_corners(pair.a.corners, f), shared_corners(pair.b.corners, f)};

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "exact/shaft_ball.h"
 #include "exact/shaft_walk.h"
@@ -44,6 +45,42 @@ bool holds(const std::array<double, 3>& p, const Box<double>& a, const Box<doubl
   return over_s(p, p, a, b, apart).has_some() && !apart;
 }
 
+/// Signs of inequalities at the one s at which an axis holds boxes and triangle in one plane. Two flat boxes
+/// and a face between, all square to an axis, are common in buildings, and no range of s is left there whose
+/// ends intervals could tell apart.
+class PinnedFilter {
+ public:
+  using FT = FilterKernel::FT;
+
+  /// The axis that leaves one s of the open range (0, 1), if any.
+  static std::optional<std::size_t> axis_of(const std::array<double, 3>& lo, const std::array<double, 3>& hi,
+                                            const Box<double>& a, const Box<double>& b) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const bool flat = lo[i] == hi[i] && a.c[i] == a.c[i + 3] && b.c[i] == b.c[i + 3];
+      if (flat && ((a.c[i] < lo[i] && lo[i] < b.c[i]) || (b.c[i] < lo[i] && lo[i] < a.c[i]))) return i;
+    }
+    return std::nullopt;
+  }
+
+  PinnedFilter(std::size_t axis, double at, const Box<double>& a, const Box<double>& b)
+      : axis_(axis), from_a_(CGAL::abs(FT(at) - FT(a.c[axis]))), from_b_(CGAL::abs(FT(b.c[axis]) - FT(at))) {}
+
+  /// False when the inequality fails at that s, surely. The axis' own two hold: they are the equation.
+  bool add(const LinearInS<FT>& f) {
+    if (number_++ / 2 == axis_) return true;
+    // s is from_a / (from_a + from_b).
+    const FT value = from_b_ * f.at0 + from_a_ * f.at1;
+    all_hold_ = all_hold_ && value.inf() >= 0;
+    return !(value.sup() < 0);
+  }
+  [[nodiscard]] bool all_hold() const { return all_hold_; }
+
+ private:
+  std::size_t axis_, number_ = 0;
+  FT from_a_, from_b_;
+  bool all_hold_ = true;
+};
+
 Quick quick(const Corners& v, const Box<double>& a, const Box<double>& b) {
   std::array<double, 3> lo{}, hi{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -58,6 +95,12 @@ Quick quick(const Corners& v, const Box<double>& a, const Box<double>& b) {
   }
   const CGAL::Interval_nt<false>::Protector upward;
   using FT = FilterKernel::FT;
+  if (const std::optional<std::size_t> axis = PinnedFilter::axis_of(lo, hi, a, b)) {
+    PinnedFilter pinned(*axis, lo[*axis], a, b);
+    const auto add = [&](const LinearInS<FT>& f) { return pinned.add(f); };
+    if (!triangle_over_s<FT>(v, a, b, add)) return Quick::no;
+    return pinned.all_hold() ? Quick::yes : Quick::unknown;
+  }
   RangeFilter range(Ends::closed);
   if (!triangle_over_s<FT>(v, a, b, [&](const LinearInS<FT>& f) { return range.add(f); })) return Quick::no;
   return range.has_some() ? Quick::yes : Quick::unknown;

@@ -64,7 +64,8 @@ TEST(PairCase, ReadsFacesInAnyOrder) {
 }
 
 TEST(PairCase, WhatIsWrittenReadsBack) {
-  for (const Finish finish : {Finish::grid, Finish::turned, Finish::huge, Finish::denormal}) {
+  for (const Finish finish :
+       {Finish::grid, Finish::turned, Finish::stretched, Finish::huge, Finish::denormal}) {
     PairTrials trials(7, finish);
     for (int i = 0; i < 50; ++i) {
       const PairTrial trial = trials.next(i % 5);

@@ -2,9 +2,11 @@
 // exact/shaft_candidates.h and exact/patch_pair.h against the definitions in rationals.
 #include <gtest/gtest.h>
 
-#include "exact/hierarchy.h"
 #include "exact/patch_pair.h"
+#include "exact/polygons.h"
+#include "exact/shadow.h"
 #include "exact/shaft_candidates.h"
+#include "scene/find_scene.h"
 #include "tests/pair_by_definition.h"
 #include "tests/pair_trials.h"
 
@@ -17,8 +19,11 @@ struct Share {
   Finish finish;
   int trials;
 };
-const std::vector<Share> kShares{
-    {Finish::grid, 400}, {Finish::turned, 150}, {Finish::huge, 60}, {Finish::denormal, 60}};
+const std::vector<Share> kShares{{Finish::grid, 400},
+                                 {Finish::turned, 100},
+                                 {Finish::stretched, 150},
+                                 {Finish::huge, 60},
+                                 {Finish::denormal, 60}};
 
 int scale() {
   return std::max(1, reference_cases(1000) / 1000);
@@ -105,6 +110,78 @@ TEST(PairExact, PatchesSeeWhatTheDefinitionSays) {
   RecordProperty("part", seen[2]);
   RecordProperty("hiding_faces", hiding);
   for (const int count : seen) EXPECT_GE(count, affordable(15));
+}
+
+scene::Box<double> box_of(const scene::Scene& scene, const scene::FaceRun& run) {
+  scene::Box<double> box{{HUGE_VAL, HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+  for (std::uint32_t face = run.first; face < run.first + run.count; ++face) {
+    for (std::size_t i = 0; i < 9; ++i) {
+      const double x = scene.corner(face, i / 3)[i % 3];
+      box.c[i % 3] = std::min(box.c[i % 3], x);
+      box.c[i % 3 + 3] = std::max(box.c[i % 3 + 3], x);
+    }
+  }
+  return box;
+}
+
+/// Scenes of many leaves: hierarchies leave out no face, wherever the boxes are, and rays bear out what is
+/// said of pairs.
+TEST(PairExact, HierarchiesAgreeOnScenesOfManyFaces) {
+  std::array<int, 3> seen{};
+  std::size_t listed = 0;
+  for (const char* name : {"office:1", "tetra:3", "city:1"}) {
+    const scene::Scene scene = scene::find_scene(name).loaded.scene;
+    const auto faces = static_cast<int>(scene.triangles.size());
+    const std::vector<scene::FaceRun> runs = exact::polygons_of(scene);
+    const exact::ShaftCandidates candidates(scene);
+    const exact::PatchPairs pairs(scene);
+    Random random(static_cast<std::uint64_t>(faces));
+    std::vector<std::uint32_t> found;
+    const auto any = [&](int count, int near, int step) {
+      return near < 0 ? random.below(count) : std::min(count - 1, near + random.below(step));
+    };
+    for (int i = 0; i < affordable(60); ++i) {
+      const int run = any(static_cast<int>(runs.size()), -1, 0);
+      const int other = any(static_cast<int>(runs.size()), random.chance(50) ? run : -1, 8);
+      scene::Box<double> a = box_of(scene, runs[static_cast<std::size_t>(run)]),
+                         b = box_of(scene, runs[static_cast<std::size_t>(other)]);
+      if (i % 10 == 0) b = {{-0x1p+900, 0, 0, -0x1p+900, 1, 0x1p+900}};  // beyond all floats of the hierarchy
+      if (i % 10 == 1) a = {{9e9, 9e9, 9e9, 9e9, 9e9, 9e9}};
+      candidates.faces(a, b, found);
+      EXPECT_EQ(found, exact::shaft_candidates_by_all_faces(scene, a, b)) << name << ' ' << i;
+      listed += found.size();
+
+      scene::PatchPair pair;
+      pair.a.face = static_cast<std::uint32_t>(any(faces, -1, 0));
+      pair.b.face =
+          static_cast<std::uint32_t>(any(faces, random.chance(50) ? static_cast<int>(pair.a.face) : -1, 12));
+      for (scene::Patch* patch : {&pair.a, &pair.b}) {
+        const double share = std::ldexp(1.0, -random.below(8));  // a small part of the face sees more
+        for (std::size_t k = 0; k < 3; ++k) {
+          for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double from = scene.corner(patch->face, 0)[axis];
+            patch->corners[k][axis] = from + (scene.corner(patch->face, k)[axis] - from) * share;
+          }
+        }
+      }
+      const PairVisibility visibility = pairs.visibility(pair);
+      EXPECT_EQ(visibility, exact::patch_pair_by_all_faces(scene, pair)) << name << ' ' << i;
+      ++seen[static_cast<std::size_t>(visibility)];
+      if (visibility == PairVisibility::part || pair.a.face == pair.b.face) continue;
+      for (const auto& p : pair.a.corners) {
+        for (const auto& q : pair.b.corners) {
+          bool blocked = false;
+          for (std::uint32_t face = 0; face < scene.face_count(); ++face) {
+            const bool own = face == pair.a.face || face == pair.b.face;
+            blocked = blocked || (!own && exact::blocks(scene, face, scene::ShadowQuery{p, q}));
+          }
+          EXPECT_EQ(blocked, visibility == PairVisibility::none) << name << ' ' << i;
+        }
+      }
+    }
+  }
+  for (const int count : seen) EXPECT_GE(count, affordable(6));
+  EXPECT_GE(listed, 1000u);
 }
 
 }  // namespace

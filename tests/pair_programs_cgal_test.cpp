@@ -89,9 +89,10 @@ TEST(PairPrograms, AllReferencesAgree) {
   std::array<int, 2> met{};
   int faces = 0;
   const int wanted = reference_cases(1000);
-  for (const Finish finish : {Finish::grid, Finish::grid, Finish::turned, Finish::denormal}) {
+  for (const Finish finish :
+       {Finish::grid, Finish::grid, Finish::turned, Finish::stretched, Finish::denormal}) {
     PairTrials trials(900 + static_cast<std::uint64_t>(faces), finish);
-    for (int i = 0; i < wanted / 20 && !HasFailure(); ++i) {
+    for (int i = 0; i < wanted / 25 && !HasFailure(); ++i) {
       const PairTrial trial = trials.next(5);
       for (std::uint32_t face = 0; face < trial.scene.face_count(); ++face, ++faces) {
         const bool meets = meets_shaft_by_program(trial.scene, face, trial.a, trial.b);

@@ -17,8 +17,9 @@
 namespace gnomon::tests {
 
 /// What becomes of whole numbers: nothing; scaled by a power of two, as far as doubles go; turned and
-/// rounded, so that all that touched does so but for an ulp.
-enum class Finish : std::uint8_t { grid, huge, denormal, turned };
+/// rounded, so that all that touched does so but for an ulp; stretched along the axes, moved and rounded, so
+/// that what was flat still is.
+enum class Finish : std::uint8_t { grid, huge, denormal, turned, stretched };
 
 struct PairTrial {
   scene::Scene scene;
@@ -46,8 +47,13 @@ class PairTrials {
         b[k][2] = 4;
       }
     }
-    const scene::Box<double> box_a = random_.chance(50) ? box() : box_of(a),
-                             box_b = random_.chance(50) ? box() : box_of(b);
+    scene::Box<double> box_a = random_.chance(50) ? box() : box_of(a),
+                       box_b = random_.chance(50) ? box() : box_of(b);
+    const bool in_layers = random_.chance(20);  // like shelves
+    if (in_layers) {
+      box_a.c[2] = box_a.c[5] = random_.chance(50) ? 0 : 8;
+      box_b.c[2] = box_b.c[5] = 8 - box_a.c[2];
+    }
     scene::SceneBuilder builder;
     if (random_.chance(50)) {
       add(builder, a);
@@ -60,7 +66,9 @@ class PairTrials {
         const Point centre = random_.chance(50) ? point() : mean(a, b);
         builder.add_ball(finished(centre, random_.below(5) * (random_.chance(50) ? 1 : 0.5)));
       } else {
-        add(builder, face(a, b, box_a, box_b));
+        Corners v = face(a, b, box_a, box_b);
+        if (in_layers && random_.chance(70)) v[0][2] = v[1][2] = v[2][2] = random_.between(-1, 9);
+        add(builder, v);
       }
     }
     trial.scene = builder.finish();
@@ -152,7 +160,8 @@ class PairTrials {
         v[0] = patch[0];
         v[1] = patch[1];
         break;
-      case 2:  // large, across
+      case 2:
+      case 6:  // large, across
         for (std::size_t k = 0; k < 3; ++k) {
           v[k] = {k == 1 ? 60.0 : -30.0, k == 2 ? 60.0 : -30.0, 1.0 * random_.between(1, 3)};
         }
@@ -175,6 +184,7 @@ class PairTrials {
                                          : x;
   }
   Point finished(const Point& p) const {
+    if (finish_ == Finish::stretched) return {stretched(p[0], 0), stretched(p[1], 1), stretched(p[2], 2)};
     if (finish_ != Finish::turned) return {scaled(p[0]), scaled(p[1]), scaled(p[2])};
     Point q;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -182,16 +192,18 @@ class PairTrials {
     }
     return q;
   }
-  /// Boxes can't be turned: they are moved and stretched.
+  double stretched(double x, std::size_t axis) const {
+    return x * (1 + std::fabs(turn_[axis])) + turn_[9 + axis];
+  }
+  /// Boxes can't be turned: they are stretched.
   scene::Box<double> finished(scene::Box<double> box) const {
-    for (std::size_t i = 0; i < 6; ++i) {
-      box.c[i] = finish_ == Finish::turned ? box.c[i] * (1 + std::fabs(turn_[i % 3])) + turn_[9 + i % 3]
-                                           : scaled(box.c[i]);
-    }
+    const bool stretch = finish_ == Finish::turned || finish_ == Finish::stretched;
+    for (std::size_t i = 0; i < 6; ++i) box.c[i] = stretch ? stretched(box.c[i], i % 3) : scaled(box.c[i]);
     return box;
   }
   scene::Ball<double> finished(const Point& centre, double radius) const {
-    return {finished(centre), finish_ == Finish::turned ? radius : scaled(std::floor(radius))};
+    return {finished(centre),
+            finish_ == Finish::turned || finish_ == Finish::stretched ? radius : scaled(std::floor(radius))};
   }
   void add(scene::SceneBuilder& builder, const Corners& v) const {
     builder.add_triangle(finished(v[0]), finished(v[1]), finished(v[2]));

@@ -152,7 +152,8 @@ TEST(Polygons, OfScenesCoverAllFacesOnce) {
 TEST(SideOfFace, IsTheSignOfADeterminant) {
   std::array<int, 3> seen{};
   int degenerate = 0;
-  for (const Finish finish : {Finish::grid, Finish::turned, Finish::huge, Finish::denormal}) {
+  for (const Finish finish :
+       {Finish::grid, Finish::turned, Finish::stretched, Finish::huge, Finish::denormal}) {
     PairTrials trials(55, finish);
     for (int i = 0; i < affordable(1200); ++i) {
       const PairTrial trial = trials.next(i % 3);
