@@ -109,7 +109,9 @@ std::string witness_text(const Witness& witness) {
     text += "# exact gap " + witness.gap.get_str() + " (length " + scene::decimal_text(witness.gap_length) +
             ", " + scene::decimal_text(witness.gap_ulps) + " ulps)\n";
   }
-  text += "# as generated: " + witness.original_text + "\n";
+  // Of scenes the faces that matter alone.
+  text += std::string(witness.has_gap ? "# as generated: " : "# before its numbers were made simpler: ") +
+          witness.original_text + "\n";
   text += witness.case_text + "\n";
   return text;
 }

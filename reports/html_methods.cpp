@@ -20,7 +20,8 @@ Word word_for(const Summary& s) {
   if (s.promise_broken) return {"PROMISE BROKEN", "bad"};
   if (s.lies()) return {"LIES", "bad"};
   if (s.wasted.n > 0 && s.wasted.k == s.wasted.n) return {"KEEPS ALL", "idle"};
-  if (s.tier == "exact" && s.waste == 0) return {"AGREES", "good"};
+  if (s.tier == "trivial" && s.about_pairs) return {"KEEPS ALL", "idle"};
+  if ((s.tier == "exact" || s.tier == "reference") && s.waste == 0) return {"AGREES", "good"};
   if (s.tier == "naive") return {"NOT CAUGHT", "good"};
   return {"SAFE", "good"};
 }
@@ -46,21 +47,31 @@ std::string worst_on(const Summary& pooled, std::span<const Summary> apart, Shar
 }
 
 std::string sentence(const Summary& s, std::span<const Summary> apart) {
-  const bool shaft = s.matrix.contains("outside");
+  const bool shaft = s.matrix.contains("outside"), lists = s.question == "shaft-candidates";
   std::string text;
   if (s.culls.k > 0) {
-    text +=
-        fmt::format("{} {}{}. ", shaft ? "Culls what it should keep:" : "Wrong to the eye:", spelled(s.culls),
-                    worst_on(s, apart, &Summary::culls));
+    text += fmt::format("{} {}{}. ",
+                        shaft   ? "Culls what it should keep:"
+                        : lists ? "Leaves out faces that it must list:"
+                                : "Wrong to the eye:",
+                        spelled(s.culls), worst_on(s, apart, &Summary::culls));
   } else {
-    text += fmt::format("No {} seen: {}. ", shaft ? "false cull" : "unsound answer", spelled(s.culls));
+    text += fmt::format("No {} seen: {}. ",
+                        shaft   ? "false cull"
+                        : lists ? "list without a face that belongs there"
+                                : "unsound answer",
+                        spelled(s.culls));
   }
   if (s.insides.k > 0) {
     text += fmt::format("Says “inside” falsely: {}{}. ", spelled(s.insides),
                         worst_on(s, apart, &Summary::insides));
   }
   if (s.wasted.n > 0) {
-    text += fmt::format("{} {}. ", shaft ? "Keeps what lies outside:" : "Wastes:", spelled(s.wasted));
+    text += fmt::format("{} {}. ",
+                        shaft   ? "Keeps what lies outside:"
+                        : lists ? "Lists more than it must:"
+                                : "Wastes:",
+                        spelled(s.wasted));
   }
   if (s.undecided > 0) text += fmt::format("Undecided: {}. ", thousands(s.undecided));
   return text;

@@ -16,6 +16,7 @@ namespace {
 struct Mix {
   std::map<std::string, std::uint64_t> truths;
   std::uint64_t total = 0, touching = 0;
+  bool knows_touching = true;
 };
 
 Mix mix_of(const ResultRow& row) {
@@ -24,6 +25,7 @@ Mix mix_of(const ResultRow& row) {
     for (const auto& [answer, n] : answers) mix.truths[truth] += n, mix.total += n;
   }
   for (const auto& [truth, n] : row.touching) mix.touching += n;
+  mix.knows_touching = row.knows_twin;
   return mix;
 }
 
@@ -101,9 +103,9 @@ std::string mix_section(std::span<const ResultFile> files) {
       const std::uint64_t n = it == mix.truths.end() ? 0 : it->second;
       out += fmt::format("<td class=\"num{}\">{}</td>", n == 0 ? " quiet" : "", share(n, mix.total));
     }
-    out +=
-        fmt::format("<td class=\"num{}\">{}</td><td class=\"num\">{}</td></tr>\n",
-                    mix.touching == 0 ? " quiet" : "", share(mix.touching, mix.total), thousands(mix.total));
+    out += fmt::format("<td class=\"num{}\">{}</td><td class=\"num\">{}</td></tr>\n",
+                       mix.touching == 0 ? " quiet" : "",
+                       mix.knows_touching ? share(mix.touching, mix.total) : "–", thousands(mix.total));
   }
   return out + "</tbody></table></div></div></div></section>\n";
 }

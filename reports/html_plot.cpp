@@ -23,6 +23,23 @@ constexpr PanelKind kPanels[] = {
     {Measure::kWaste, {"Waste: kept though outside", "kept / cases that are exactly outside"}},
 };
 
+constexpr PanelKind kListPanels[] = {
+    {Measure::kCulls, {"Unsound: a face is missing", "lists without a true face / lists with one"}},
+    {Measure::kWaste, {"Waste: more faces than true", "lists with more / lists"}},
+};
+
+constexpr PanelKind kPairPanels[] = {
+    {Measure::kCulls, {"Unsound: all or none said falsely", "false all or none / pairs"}},
+    {Measure::kWaste,
+     {"Waste: all or none not seen", "part said of all or none / pairs that are all or none"}},
+};
+
+std::span<const PanelKind> panels_of(const std::string& question) {
+  if (question == "shaft-candidates") return kListPanels;
+  if (question == "patch-pair") return kPairPanels;
+  return kPanels;
+}
+
 nlohmann::json axis_json(const LogAxis& axis) {
   nlohmann::json ticks = nlohmann::json::array();
   for (const auto& [value, label] : axis.ticks) ticks.push_back({{"v", value}, {"l", label}});
@@ -94,7 +111,7 @@ PlotPanel make_panel(const QuestionData& question, std::span<const Summary> summ
 
 nlohmann::json question_json(const QuestionData& question) {
   nlohmann::json panels = nlohmann::json::array();
-  for (const PanelKind& kind : kPanels) {
+  for (const PanelKind& kind : panels_of(question.name)) {
     if (!question.shows(kind.measure)) continue;
     const auto view = [&](const std::string& name, std::span<const Summary> summaries) {
       const PlotPanel panel = make_panel(question, summaries, kind.measure);
@@ -148,7 +165,7 @@ std::string plot_section(std::span<const ResultFile> files) {
   nlohmann::json data = nlohmann::json::array();
   for (const auto& [name, question] : questions) {
     std::string panels;
-    for (const PanelKind& kind : kPanels) {
+    for (const PanelKind& kind : panels_of(name)) {
       if (question.shows(kind.measure)) {
         panels += panel_svg(make_panel(question, question.pooled, kind.measure), kind.text, name);
       }
@@ -171,7 +188,8 @@ std::string plot_section(std::span<const ResultFile> files) {
       "Times over several distributions are medians, since a few of these cost far more than the rest. They "
       "include the set-up of the shaft, which batch rows share among the K cases of a distribution with @K; "
       "all "
-      "others do it for every case.</p>\n";
+      "others do it for every case. Of questions about pairs in a scene they include making the method's "
+      "structure where every case has a scene of its own.</p>\n";
   out += kKey;
   out += "<div id=\"plot-controls\" hidden></div>\n<div id=\"plot-live\" class=\"panels\" hidden></div>\n" +
          figures;

@@ -77,9 +77,9 @@ std::string row_html(const ResultRow& row, const std::string& file, bool several
 
 constexpr const char* kHead = R"(<thead><tr><th scope="col">Method</th><th scope="col">Question</th>
 <th scope="col">Distribution</th>
-<th scope="col" title="said outside of what is not">False culls</th>
+<th scope="col" title="said outside of what is not; of pairs in a scene: any unsound answer">False culls</th>
 <th scope="col" title="said inside of what is not">False insides</th>
-<th scope="col" title="kept though exactly outside">Waste</th>
+<th scope="col" title="kept though exactly outside; of pairs in a scene: any wasteful answer">Waste</th>
 <th scope="col">Time</th><th scope="col" title="the exact reference on the same cases">Reference</th>
 <th scope="col" title="how far the worst wrong answer is from the decision boundary">Worst gap</th>
 <th scope="col">Trials</th>

@@ -25,6 +25,9 @@ namespace gnomon::reports {
 /// Rounding against model error, and the full matrices of truth and answer.
 [[nodiscard]] std::string error_sources_section(std::span<const ResultFile> files);
 
+/// How long the lists of shaft-candidates are, and by how much wrong; empty without such rows.
+[[nodiscard]] std::string lists_section(std::span<const ResultFile> files);
+
 /// What each distribution asks: the shares of the exact answers and of touching cases.
 [[nodiscard]] std::string mix_section(std::span<const ResultFile> files);
 

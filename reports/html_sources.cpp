@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "fuzz/question_words.h"
 #include "reports/html_sections.h"
 #include "reports/html_text.h"
 
@@ -36,9 +37,24 @@ std::string split_table(std::span<const Summary> summaries) {
   return out + "</tbody></table></div>\n";
 }
 
+const char* look_of_pair(const fuzz::QuestionWords& words, const std::string& truth,
+                         const std::string& answer) {
+  for (std::size_t row = 0; row < words.truth_count(); ++row) {
+    for (std::size_t column = 0; column < fuzz::kTruths; ++column) {
+      if (words.truths[row] != truth || words.answers[column] != answer) continue;
+      const fuzz::Verdict verdict = words.verdicts[row][column];
+      return verdict == fuzz::Verdict::agree ? "agree" : verdict == fuzz::Verdict::waste ? "warn" : "bad";
+    }
+  }
+  return "";
+}
+
 /// How bad it is to say `answer` when the truth is `truth`.
-const char* look_of(const std::string& truth, const std::string& answer) {
+const char* look_of(const std::string& question, const std::string& truth, const std::string& answer) {
   if (truth == answer) return "agree";
+  if (const fuzz::QuestionWords* const words = fuzz::find_question(question); words && words->about_pairs) {
+    return look_of_pair(*words, truth, answer);
+  }
   const bool known = truth == "outside" || truth == "overlap" || truth == "inside";
   if (!known || answer == "undecided") return "";
   return answer == "outside" || answer == "inside" ? "bad" : "warn";
@@ -53,9 +69,15 @@ std::string matrix_table(std::span<const Summary> summaries) {
       for (const auto& [answer, n] : row) all[truth][answer] += n;
     }
   }
-  answers = answers_of(all);
-  std::copy_if(answers.begin(), answers.end(), std::back_inserter(truths),
-               [&](const std::string& a) { return all.contains(a); });
+  const std::string& question = summaries.front().question;
+  if (const fuzz::QuestionWords* const words = fuzz::find_question(question); words && words->about_pairs) {
+    truths.assign(words->truths.begin(), words->truths.begin() + static_cast<long>(words->truth_count()));
+    answers.assign(words->answers.begin(), words->answers.end());
+  } else {
+    answers = answers_of(all);
+    std::copy_if(answers.begin(), answers.end(), std::back_inserter(truths),
+                 [&](const std::string& a) { return all.contains(a); });
+  }
   std::string out = "<div class=\"scroll\"><table class=\"grid2\"><thead><tr><td></td>";
   for (const auto& truth : truths) {
     out +=
@@ -72,7 +94,7 @@ std::string matrix_table(std::span<const Summary> summaries) {
       for (const auto& answer : answers) {
         const auto row = s.matrix.find(truth);
         const auto n = row == s.matrix.end() || !row->second.contains(answer) ? 0 : row->second.at(answer);
-        out += cell(n, look_of(truth, answer));
+        out += cell(n, look_of(question, truth, answer));
       }
     }
     out += "</tr>\n";
@@ -96,7 +118,7 @@ std::string error_sources_section(std::span<const ResultFile> files) {
         std::find_if(first, pooled.end(), [&](const Summary& s) { return s.question != first->question; });
     const std::span<const Summary> question(first, last);
     out += fmt::format("<h3><code>{}</code></h3>\n", escaped(first->question)) + "<div class=\"beside\">\n" +
-           split_table(question) + matrix_table(question) + "</div>\n";
+           (first->about_pairs ? "" : split_table(question)) + matrix_table(question) + "</div>\n";
     first = last;
   }
   return out + "</section>\n";

@@ -71,7 +71,8 @@ std::string liars_text(std::span<const Summary> methods, std::span<const Summary
   if (count == 0) return fmt::format("None of {} methods was caught lying. ", methods.size());
   return fmt::format("<b class=\"bad\">{} of {} methods {}</b>: {}. ", count, methods.size(),
                      count == 1 ? "lies" : "lie", liars) +
-         worst_text(methods, apart, &Summary::culls, "Most false culls") +
+         worst_text(methods, apart, &Summary::culls,
+                    methods.front().about_pairs ? "Most unsound answers" : "Most false culls") +
          worst_text(methods, apart, &Summary::insides, "Most false insides");
 }
 
@@ -79,14 +80,17 @@ std::string liars_text(std::span<const Summary> methods, std::span<const Summary
 std::string honest_text(std::span<const Summary> methods) {
   const Summary *fastest = nullptr, *exact = nullptr;
   for (const Summary& s : methods) {
-    if (s.lies() || s.promise_broken || s.tier == "trivial" || s.tier == "naive") continue;
+    if (s.lies() || s.promise_broken || s.tier == "trivial" || s.tier == "naive" || s.tier == "reference") {
+      continue;
+    }
     if (s.ns && (!fastest || *s.ns < *fastest->ns)) fastest = &s;
     if (s.tier == "exact" && s.ns && (!exact || *s.ns < *exact->ns)) exact = &s;
   }
   std::string text;
   if (fastest) {
-    text += fmt::format("Cheapest that promises and keeps: {} at {}, false culls {}", named(*fastest),
-                        time_text(fastest->ns), share_html(fastest->culls));
+    text += fmt::format("Cheapest that promises and keeps: {} at {}, {} {}", named(*fastest),
+                        time_text(fastest->ns), fastest->about_pairs ? "unsound" : "false culls",
+                        share_html(fastest->culls));
     if (fastest->wasted.n > 0) text += fmt::format("; wastes {}", rate_text(fastest->wasted.rate.value));
     text += ". ";
   }

@@ -19,7 +19,8 @@ constexpr std::size_t kPictures = 24;  // a picture takes about 8 KB; the list b
 
 /// Verdicts that cost time and nothing else; any other one is taken for the worse kind.
 bool is_waste(const ResultWitness& w) {
-  return w.verdict == "waste" || w.verdict == "false keep" || w.verdict == "missed inside";
+  return w.verdict == "waste" || w.verdict == "false keep" || w.verdict == "missed inside" ||
+         w.verdict == "excess face" || w.verdict == "missed none" || w.verdict == "missed all";
 }
 
 double size_of(const ResultWitness& w) {
@@ -65,12 +66,13 @@ std::string generated(const ResultWitness& w) {
 std::string card(const ResultWitness& w) {
   std::string picture;
   if (const auto numbers = numbers_of_case(w.case_line)) {
-    picture = case_picture_svg(w.question, *numbers, w.scalar, focus_of(w));
+    picture = fmt::format("<div class=\"picture\">{}</div>\n",
+                          case_picture_svg(w.question, *numbers, w.scalar, focus_of(w)));
   }
   std::string out = fmt::format(
       "<article class=\"witness\"><h3><span class=\"word {}\">{}</span> <code>{}</code> on "
       "<code>{}</code></h3>\n"
-      "<div class=\"picture\">{}</div>\n",
+      "{}",
       is_waste(w) ? "warn" : "bad", escaped(w.verdict), escaped(w.method), escaped(w.question), picture);
   out += fmt::format("<dl><dt>Said</dt><dd><b>{}</b>, exactly <b>{}</b> ({}{})</dd>{}", escaped(w.answer),
                      escaped(w.reference), escaped(w.scalar),
@@ -114,7 +116,7 @@ std::string witness_section(std::span<const ResultFile> files) {
       "shrunk. "
       "The large picture is a projection in which the deciding plane is a line; the small one is its "
       "surroundings at the scale of the floating-point grid (an ulp is that of the case's largest "
-      "coordinate). "
+      "coordinate); pairs in a scene have none. "
       "The commands run where the result files are.</p>\n<div class=\"witnesses\">\n";
   std::set<std::tuple<std::string, std::string, std::string>> shown;
   for (const ResultWitness* w : all) {

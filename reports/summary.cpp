@@ -45,6 +45,11 @@ Counts count(const Summary& s) {
         c.insides += cell(answers, "inside");
       }
     }
+  } else if (s.about_pairs) {
+    c.cull_chances = s.deceivable;
+    c.waste_chances = s.wasteful;
+    c.culls = std::min(s.unsound, c.cull_chances);
+    c.wasted = std::min(s.waste, c.waste_chances);
   } else {
     const std::uint64_t asked = s.trials - std::min(s.rejected, s.trials);
     c.cull_chances = c.waste_chances = asked;
@@ -55,7 +60,7 @@ Counts count(const Summary& s) {
 }
 
 int tier_rank(const std::string& tier) {
-  constexpr std::array kOrder = {"trivial", "naive", "certified", "exact", "plug-in"};
+  constexpr std::array kOrder = {"trivial", "naive", "certified", "exact", "reference", "plug-in"};
   const auto it = std::find(kOrder.begin(), kOrder.end(), tier);
   return static_cast<int>(it - kOrder.begin());
 }
@@ -74,6 +79,9 @@ void add(Summary& s, const ResultRow& row) {
   s.waste += row.waste;
   s.undecided += row.undecided;
   s.rejected += row.rejected;
+  s.about_pairs = s.about_pairs || !row.knows_twin;
+  s.wasteful += row.waste_rate.of.value_or(0);
+  s.deceivable += row.unsound_rate.of.value_or(0);
   s.rounding += row.rounding;
   s.model += row.model;
   s.rounding_and_model += row.rounding_and_model;

@@ -30,6 +30,9 @@ struct Summary {
   Share culls;    ///< said "outside" of what is not outside; for other questions: every unsound answer
   Share insides;  ///< said "inside" of what is not inside; n = 0 for questions without that answer
   Share wasted;   ///< kept though exactly outside; for other questions: every wasteful answer
+  bool about_pairs = false;      ///< of a scene: no exact twin is known, and no boundary is touched
+  std::uint64_t wasteful = 0;    ///< of a question about pairs: cases where waste is possible
+  std::uint64_t deceivable = 0;  ///< and those where unsound answers are
   bool promise_broken = false;
   /// True when an unsound answer was seen.
   [[nodiscard]] bool lies() const { return culls.k > 0 || insides.k > 0 || unsound > 0; }
