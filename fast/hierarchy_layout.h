@@ -36,6 +36,7 @@ class ChildLink {
   [[nodiscard]] constexpr std::uint32_t lanes() const { return 0xffu >> (kWidth - count()); }
   [[nodiscard]] constexpr std::uint32_t block() const { return bits_ & (kMostBlocks - 1); }
   [[nodiscard]] constexpr std::uint32_t index() const { return bits_; }
+  [[nodiscard]] constexpr std::uint32_t bits() const { return bits_; }
 
   static constexpr int kBlockBits = 27;
   static constexpr std::uint32_t kMostBlocks = 1u << kBlockBits;

@@ -43,9 +43,17 @@ HWY_INLINE M boxes_in_shaft(const PairShaft& shaft, const Bound& bound) {
   const auto parameter = [&](std::size_t i) {
     return hn::Mul(hn::Sub(bound(shaft.row[i]), hn::Set(d, shaft.origin[i])), hn::Set(d, shaft.inverse[i]));
   };
-  std::size_t i = 0;
-  for (; i < shaft.lower; ++i) near = more_or_second(parameter(i), near);
-  for (; i < 6; ++i) far = less_or_second(parameter(i), far);
+  if (shaft.lower == 3) {
+    // A lower and an upper bound of each axis: boxes that lie apart, in most pairs.
+    for (std::size_t i = 0; i < 3; ++i) {
+      near = more_or_second(parameter(i), near);
+      far = less_or_second(parameter(i + 3), far);
+    }
+  } else {
+    std::size_t i = 0;
+    for (; i < shaft.lower; ++i) near = more_or_second(parameter(i), near);
+    for (; i < 6; ++i) far = less_or_second(parameter(i), far);
+  }
   return hn::Le(near, far);
 }
 

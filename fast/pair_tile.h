@@ -17,17 +17,21 @@ namespace gnomon::fast {
 inline constexpr std::size_t kTileRays = 16;
 
 struct TileShape {
-  std::size_t from_count, to_count;
+  std::size_t from_log = 0, to_log = 0;  ///< binary logarithms of how many points; they add up to 4
+
+  [[nodiscard]] constexpr std::size_t from_count() const { return std::size_t{1} << from_log; }
+  [[nodiscard]] constexpr std::size_t to_count() const { return std::size_t{1} << to_log; }
 };
 
 /// As few tiles as can be; squares if there is a choice, as their shafts are the thinnest.
 [[nodiscard]] constexpr TileShape best_tile_shape(std::size_t from, std::size_t to) {
-  constexpr TileShape kShapes[] = {{4, 4}, {2, 8}, {8, 2}, {1, 16}, {16, 1}};
+  if (from % 4 == 0 && to % 4 == 0) return {2, 2};
+  constexpr TileShape kShapes[] = {{2, 2}, {1, 3}, {3, 1}, {0, 4}, {4, 0}};
   TileShape best = kShapes[0];
   std::size_t least = ~std::size_t{0};
   for (const TileShape shape : kShapes) {
     const std::size_t tiles =
-        ((from + shape.from_count - 1) / shape.from_count) * ((to + shape.to_count - 1) / shape.to_count);
+        ((from + shape.from_count() - 1) >> shape.from_log) * ((to + shape.to_count() - 1) >> shape.to_log);
     if (tiles < least) {
       least = tiles;
       best = shape;
@@ -57,7 +61,7 @@ struct LeafLane {
 struct PairScratch::Data {
   PairPatch from, to;
   std::vector<std::array<float, 6>> from_boxes, to_boxes;  ///< of the points of a row or column of tiles
-  std::vector<ChildLink> links;                            ///< what is left of the tree for the whole pair
+  std::vector<std::uint32_t> links;  ///< what is left of the tree for the whole pair: bits of ChildLinks
   std::vector<OpenFace> open;
   LeafLane last_blocker;
   const void* owner = nullptr;  ///< the caster that last_blocker is of

@@ -40,9 +40,13 @@ PairCaster::PairCaster(const scene::Scene& scene, std::span<const std::uint8_t> 
     for (const double x : ball.centre) in_domain_ &= checked(x);
     in_domain_ &= checked(ball.radius);
   }
+  convex_runs_.emplace_back();
+  if (!convex_objects.empty()) convex_run_of_.resize(scene.triangles.size());
   for (std::size_t i = 0; i < scene.objects.size() && i < convex_objects.size(); ++i) {
     const scene::Object& object = scene.objects[i];
     if (convex_objects[i] == 0 || object.triangle_count == 0) continue;
+    std::fill_n(convex_run_of_.begin() + static_cast<std::ptrdiff_t>(object.first_triangle),
+                object.triangle_count, static_cast<std::uint32_t>(convex_runs_.size()));
     convex_runs_.push_back({static_cast<std::uint32_t>(object.first_triangle),
                             static_cast<std::uint32_t>(object.triangle_count)});
   }
@@ -145,12 +149,10 @@ void PairCaster::prepare(std::span<const std::array<float, 3>> points, scene::Fa
   patch.assign(points, own);
   if (!patch.in_domain || !in_domain_ || own.first >= scene_.triangles.size()) return;
   set_own_plane(scene_, patch);
-  const auto after =
-      std::upper_bound(convex_runs_.begin(), convex_runs_.end(), own.first,
-                       [](std::uint32_t first, const scene::FaceRun& run) { return first < run.first; });
-  if (after == convex_runs_.begin() || !std::prev(after)->contains(own.first) || own.count == 0) return;
+  if (own.count == 0 || convex_run_of_.empty()) return;
+  const std::uint32_t run = convex_run_of_[own.first];
   // Leaving the object out must leave out the whole run.
-  if (std::prev(after)->contains(own.first + own.count - 1)) patch.convex = *std::prev(after);
+  if (run != 0 && convex_runs_[run].contains(own.first + own.count - 1)) patch.convex = convex_runs_[run];
 }
 
 PairPatch PairCaster::prepare(std::span<const std::array<float, 3>> points, scene::FaceRun own) const {

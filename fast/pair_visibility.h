@@ -123,7 +123,8 @@ class PairCaster {
  private:
   const scene::Scene& scene_;
   std::unique_ptr<const PairArrays> arrays_;
-  std::vector<scene::FaceRun> convex_runs_;  ///< the triangles of convex objects, in order
+  std::vector<scene::FaceRun> convex_runs_;   ///< the triangles of convex objects; the first one is of none
+  std::vector<std::uint32_t> convex_run_of_;  ///< of each triangle; empty when no object is convex
   bool in_domain_ = true;
 };
 

@@ -84,7 +84,7 @@ HWY_INLINE std::uint32_t candidate_lanes(const PairArrays& arrays, const Bundle&
 }
 
 /// Appends the children that the bundle's rays may meet.
-HWY_INLINE ChildLink* push_children(const Bundle& bundle, const WideNode& node, ChildLink* top) {
+HWY_INLINE std::uint32_t* push_children(const Bundle& bundle, const WideNode& node, std::uint32_t* top) {
   const Floats d;
   const hn::Rebind<std::uint32_t, Floats> d_links;
   const auto* links = reinterpret_cast<const std::uint32_t*>(node.children.data());
@@ -95,8 +95,7 @@ HWY_INLINE ChildLink* push_children(const Bundle& bundle, const WideNode& node, 
       met = hn::AndNot(boxes_behind(bundle.halves[i], bound), met);
     }
     const auto kept = hn::RebindMask(d_links, met);
-    hn::StoreU(hn::Compress(hn::Load(d_links, links + at), kept), d_links,
-               reinterpret_cast<std::uint32_t*>(top));
+    hn::StoreU(hn::Compress(hn::Load(d_links, links + at), kept), d_links, top);
     top += hn::CountTrue(d_links, kept);
   }
   return top;
@@ -130,7 +129,7 @@ class PairWalk {
  private:
   /// Fills scratch.links; false when nothing can block.
   bool share_walk(const Bundle& bundle);
-  void run_tile(const Bundle& bundle, std::span<const ChildLink> links);
+  void run_tile(const Bundle& bundle, std::span<const std::uint32_t> links);
   bool test_leaf(ChildLink link, std::uint32_t lanes);
   bool test_triangle(ChildLink link, std::uint32_t lane);
   void test_balls(ChildLink link, std::uint32_t lanes);
@@ -155,26 +154,29 @@ class PairWalk {
 
 template <class Tier>
 bool PairWalk<Tier>::share_walk(const Bundle& bundle) {
-  // First in, first out, so that what stays closed is of one size.
-  std::vector<ChildLink>& links = scratch_.links;
-  links.resize(8 * kSharedLinks + 64);
-  ChildLink* const begin = links.data();
-  std::size_t head = 0, tail = 0, leaves = 0;
-  ChildLink queue[16 * kSharedLinks];
-  queue[tail++] = ChildLink::node(0);
-  while (head < tail && tail - head + leaves < kSharedLinks && tail + kWidth <= 15 * kSharedLinks) {
-    const ChildLink link = queue[head++];
+  // First in, first out, so that what stays closed is of one size. A link is at most pushed once, and no more
+  // nodes are opened than there may be links.
+  std::vector<std::uint32_t>& links = scratch_.links;
+  links.resize(kSharedLinks + kWidth);
+  std::uint32_t queue[kWidth * (kSharedLinks + 2)];
+  std::uint32_t *head = queue, *tail = queue;
+  *tail++ = ChildLink::node(0).bits();
+  std::size_t kept = 0, opened = 0;
+  while (head != tail && static_cast<std::size_t>(tail - head) + kept < kSharedLinks &&
+         opened < kSharedLinks) {
+    const ChildLink link(*head++);
     if (link.is_leaf()) {
       ++counts_.leaves;
-      if (candidate_lanes(arrays_, bundle, skipped_, link) != 0) begin[leaves++] = link;
+      if (candidate_lanes(arrays_, bundle, skipped_, link) != 0) links[kept++] = link.bits();
     } else {
       ++counts_.nodes;
-      tail = static_cast<std::size_t>(push_children(bundle, tree_.nodes[link.index()], queue + tail) - queue);
+      ++opened;
+      tail = push_children(bundle, tree_.nodes[link.index()], tail);
     }
   }
-  for (; head < tail; ++head) begin[leaves++] = queue[head];
-  links.resize(leaves);
-  return leaves != 0;
+  while (head != tail) links[kept++] = *head++;
+  links.resize(kept);
+  return kept != 0;
 }
 
 template <class Tier>
@@ -233,7 +235,7 @@ bool PairWalk<Tier>::test_leaf(ChildLink link, std::uint32_t lanes) {
 }
 
 template <class Tier>
-void PairWalk<Tier>::run_tile(const Bundle& bundle, std::span<const ChildLink> links) {
+void PairWalk<Tier>::run_tile(const Bundle& bundle, std::span<const std::uint32_t> links) {
   const LeafLane last = scratch_.last_blocker;
   if (last.lane != kWidth) {
     const std::uint32_t face = tree_.triangles[last.link.block()].face[last.lane];
@@ -241,10 +243,10 @@ void PairWalk<Tier>::run_tile(const Bundle& bundle, std::span<const ChildLink> l
       return;
     }
   }
-  ChildLink stack[kStackSize];
-  for (const ChildLink start : links) {
-    ChildLink* top = stack;
-    ChildLink link = start;
+  std::uint32_t stack[kStackSize];
+  for (const std::uint32_t start : links) {
+    std::uint32_t* top = stack;
+    ChildLink link(start);
     for (;;) {
       if (!link.is_leaf()) {
         ++counts_.nodes;
@@ -259,7 +261,7 @@ void PairWalk<Tier>::run_tile(const Bundle& bundle, std::span<const ChildLink> l
         }
       }
       if (top == stack) break;
-      link = *--top;
+      link = ChildLink(*--top);
     }
   }
 }
@@ -279,7 +281,7 @@ void PairWalk<Tier>::resolve() {
         query.point[k] = static_cast<double>(tile_.origin[k][ray]);
       }
       // The light is not the sum of origin and direction, which was rounded.
-      const std::size_t to = first_to_ + ray % shape_.to_count;
+      const std::size_t to = first_to_ + ray % shape_.to_count();
       for (std::size_t k = 0; k < 3; ++k) query.light[k] = static_cast<double>(to_.coordinates(k)[to]);
       ++counts_.exact;
       if (exact_->blocks(view_.scene, open.face, query)) {
@@ -292,12 +294,12 @@ void PairWalk<Tier>::resolve() {
 
 template <class Tier>
 void PairWalk<Tier>::store(std::span<ShadowAnswer> answers) const {
-  const std::size_t rows = std::min(shape_.from_count, from_.size() - first_from_),
-                    columns = std::min(shape_.to_count, to_.size() - first_to_);
+  const std::size_t rows = std::min(shape_.from_count(), from_.size() - first_from_),
+                    columns = std::min(shape_.to_count(), to_.size() - first_to_);
   for (std::size_t i = 0; i < rows; ++i) {
     ShadowAnswer* const row = answers.data() + from_.given(first_from_ + i) * to_.size();
-    const std::uint32_t shadowed = shadowed_ >> (i * shape_.to_count),
-                        undecided = undecided_ >> (i * shape_.to_count);
+    const std::uint32_t shadowed = shadowed_ >> (i * shape_.to_count()),
+                        undecided = undecided_ >> (i * shape_.to_count());
     if (columns == 4 && !to_.is_sorted() && undecided_ == 0) {
       // A byte for each bit.
       const std::uint32_t bytes = ((shadowed & 15u) * 0x0020'4081u) & 0x0101'0101u;
@@ -333,31 +335,30 @@ inline void fill_boxes(const PairPatch& patch, std::size_t step, std::vector<std
 template <class Tier>
 PairResult PairWalk<Tier>::run(std::span<ShadowAnswer> answers) {
   shape_ = best_tile_shape(from_.size(), to_.size());
-  const auto shape = static_cast<std::size_t>(std::countr_zero(shape_.to_count));
-  const bool single = from_.size() <= shape_.from_count && to_.size() <= shape_.to_count;
+  const bool single = from_.size() <= shape_.from_count() && to_.size() <= shape_.to_count();
   Bundle bundle(from_.box, to_.box);
   skipped_ = keep_in_front(from_, to_, bundle);
-  const ChildLink root = ChildLink::node(0);
-  std::span<const ChildLink> links{&root, 1};
+  const std::uint32_t root = ChildLink::node(0).bits();
+  std::span<const std::uint32_t> links{&root, 1};
   if (!single) {
     if (!share_walk(bundle)) {
       std::fill(answers.begin(), answers.end(), ShadowAnswer::lit);
       return {scene::PairVisibility::all};
     }
     links = scratch_.links;
-    fill_boxes(from_, shape_.from_count, scratch_.from_boxes);
-    fill_boxes(to_, shape_.to_count, scratch_.to_boxes);
+    fill_boxes(from_, shape_.from_count(), scratch_.from_boxes);
+    fill_boxes(to_, shape_.to_count(), scratch_.to_boxes);
   }
   std::uint32_t common = scene::kNoFace;
   bool has_common = true, first = true;
-  for (first_from_ = 0; first_from_ < from_.size(); first_from_ += shape_.from_count) {
-    for (first_to_ = 0; first_to_ < to_.size(); first_to_ += shape_.to_count) {
-      const std::size_t rows = std::min(shape_.from_count, from_.size() - first_from_),
-                        columns = std::min(shape_.to_count, to_.size() - first_to_);
+  for (first_from_ = 0; first_from_ < from_.size(); first_from_ += shape_.from_count()) {
+    for (first_to_ = 0; first_to_ < to_.size(); first_to_ += shape_.to_count()) {
+      const std::size_t rows = std::min(shape_.from_count(), from_.size() - first_from_),
+                        columns = std::min(shape_.to_count(), to_.size() - first_to_);
       // Copies of the last points are left out.
       valid_ = 0;
-      for (std::size_t i = 0; i < rows; ++i) valid_ |= ((1u << columns) - 1) << (i * shape_.to_count);
-      live_ = valid_ & fill_tile(from_, first_from_, to_, first_to_, shape, tile_);
+      for (std::size_t i = 0; i < rows; ++i) valid_ |= ((1u << columns) - 1) << (i * shape_.to_count());
+      live_ = valid_ & fill_tile(from_, first_from_, to_, first_to_, shape_.to_log, tile_);
       shadowed_ = undecided_ = 0;
       blocks_all_ = scene::kNoFace;
       scratch_.open.clear();
@@ -365,8 +366,8 @@ PairResult PairWalk<Tier>::run(std::span<ShadowAnswer> answers) {
         if (single) {
           run_tile(bundle, links);
         } else {
-          Bundle part(scratch_.from_boxes[first_from_ / shape_.from_count],
-                      scratch_.to_boxes[first_to_ / shape_.to_count]);
+          Bundle part(scratch_.from_boxes[first_from_ >> shape_.from_log],
+                      scratch_.to_boxes[first_to_ >> shape_.to_log]);
           part.halves = bundle.halves;
           part.half_count = bundle.half_count;
           run_tile(part, links);
@@ -409,8 +410,8 @@ void list_candidates(const PairView& view, const PairPatch& from, const PairPatc
   const HierarchyArrays& tree = view.arrays.tree;
   Bundle bundle(from.box, to.box);
   const Skipped skipped = keep_in_front(from, to, bundle);
-  ChildLink stack[kStackSize];
-  ChildLink* top = stack;
+  std::uint32_t stack[kStackSize];
+  std::uint32_t* top = stack;
   ChildLink link = ChildLink::node(0);
   for (;;) {
     if (!link.is_leaf()) {
@@ -424,7 +425,7 @@ void list_candidates(const PairView& view, const PairPatch& from, const PairPatc
       }
     }
     if (top == stack) return;
-    link = *--top;
+    link = ChildLink(*--top);
   }
 }
 
