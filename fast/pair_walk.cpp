@@ -9,6 +9,8 @@
 #include "fast/pair_shaft.h"
 #include "fast/pair_tile.h"
 
+#include <hwy/cache_control.h>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "fast/pair_walk.cpp"
 #include <hwy/foreach_target.h>
@@ -81,6 +83,20 @@ HWY_INLINE std::uint32_t candidate_lanes(const PairArrays& arrays, const Bundle&
   const TriangleBlock& block = arrays.tree.triangles[link.block()];
   return link.lanes() & lanes_outside(skipped.from, block.face) & lanes_outside(skipped.to, block.face) &
          triangles_between(bundle, block, arrays.corners[link.block()]);
+}
+
+/// Asks for the memory of a link that will be followed soon.
+HWY_INLINE void fetch(const PairArrays& arrays, ChildLink link) {
+  const auto fetch_all = [](const auto* data) {
+    const auto* bytes = reinterpret_cast<const char*>(data);
+    for (std::size_t i = 0; i < sizeof *data; i += 64) hwy::Prefetch(bytes + i);
+  };
+  if (!link.is_leaf()) {
+    fetch_all(&arrays.tree.nodes[link.index()]);
+  } else if (!link.has_balls()) {
+    fetch_all(&arrays.tree.triangles[link.block()]);
+    fetch_all(&arrays.corners[link.block()]);
+  }
 }
 
 /// Appends the children that the bundle's rays may meet.
@@ -243,26 +259,42 @@ void PairWalk<Tier>::run_tile(const Bundle& bundle, std::span<const std::uint32_
       return;
     }
   }
+  // A link is asked for one step before it is followed.
   std::uint32_t stack[kStackSize];
-  for (const std::uint32_t start : links) {
-    std::uint32_t* top = stack;
-    ChildLink link(start);
-    for (;;) {
-      if (!link.is_leaf()) {
-        ++counts_.nodes;
-        top = push_children(bundle, tree_.nodes[link.index()], top);
-      } else {
-        ++counts_.leaves;
-        const std::uint32_t lanes = candidate_lanes(arrays_, bundle, skipped_, link);
-        if (lanes != 0) {
-          any_candidate_ = true;
-          counts_.faces += static_cast<std::uint64_t>(std::popcount(lanes));
-          if (test_leaf(link, lanes)) return;
-        }
+  std::uint32_t* top = stack;
+  std::size_t started = 1;
+  ChildLink link(links[0]), next;
+  bool has_next = false;
+  for (;;) {
+    if (!link.is_leaf()) {
+      ++counts_.nodes;
+      top = push_children(bundle, tree_.nodes[link.index()], top);
+    } else {
+      ++counts_.leaves;
+      const std::uint32_t lanes = candidate_lanes(arrays_, bundle, skipped_, link);
+      if (lanes != 0) {
+        any_candidate_ = true;
+        counts_.faces += static_cast<std::uint64_t>(std::popcount(lanes));
+        if (test_leaf(link, lanes)) return;
       }
-      if (top == stack) break;
-      link = ChildLink(*--top);
     }
+    if (has_next) {
+      link = next;
+    } else if (top != stack) {
+      link = ChildLink(*--top);
+    } else if (started != links.size()) {
+      link = ChildLink(links[started++]);
+    } else {
+      return;
+    }
+    has_next = top != stack;
+    if (has_next) {
+      next = ChildLink(*--top);
+    } else if (started != links.size()) {
+      next = ChildLink(links[started++]);
+      has_next = true;
+    }
+    if (has_next) fetch(arrays_, next);
   }
 }
 
