@@ -175,6 +175,26 @@ HWY_INLINE std::uint32_t triangles_between(const Bundle& bundle, const TriangleB
   return lanes;
 }
 
+/// The lanes of balls whose boxes the shaft meets, or may. c - r is off by at most u (|c| + r), and exact
+/// when that is below the least denormal; 4 u pays for it and for two roundings more.
+HWY_INLINE std::uint32_t balls_between(const PairShaft& shaft, const BallBlock& block) {
+  const Floats d;
+  std::uint32_t lanes = 0;
+  for (std::size_t at = 0; at < kWidth; at += hn::Lanes(d)) {
+    const V r = hn::Load(d, block.radius.data() + at);
+    V box[6];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const V c = hn::Load(d, block.centre[k].data() + at);
+      const V slack = hn::Mul(hn::Add(hn::Abs(c), r), hn::Set(d, 4 * Rounding<float>::u));
+      box[k] = hn::Sub(hn::Sub(c, r), slack);
+      box[k + 3] = hn::Add(hn::Add(c, r), slack);
+    }
+    const M met = boxes_in_shaft(shaft, [&](std::size_t row) { return box[row]; });
+    lanes |= static_cast<std::uint32_t>(bits_of(d, met)) << at;
+  }
+  return lanes;
+}
+
 /// The lanes of faces that are not in the run.
 HWY_INLINE std::uint32_t lanes_outside(const scene::FaceRun& run,
                                        const std::array<std::uint32_t, kWidth>& faces) {

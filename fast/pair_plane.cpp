@@ -54,6 +54,17 @@ struct Normal {
   }
 };
 
+/// Corners lie on the plane, whatever floats say.
+bool is_corner(const scene::Scene& scene, std::uint32_t face, const std::array<float, 3>& p) {
+  bool any = false;
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    const Vector& c = scene.corner(face, corner);
+    any |= c[0] == static_cast<double>(p[0]) && c[1] == static_cast<double>(p[1]) &&
+           c[2] == static_cast<double>(p[2]);
+  }
+  return any;
+}
+
 }  // namespace
 
 void set_own_plane(const scene::Scene& scene, PairPatch& patch) {
@@ -84,7 +95,7 @@ void set_own_plane(const scene::Scene& scene, PairPatch& patch) {
         value += normal.value[k] * x;
         sum += normal.sum[k] * std::abs(x);
       }
-      plane.none_behind = sum == 0 || value > 10 * v * sum;
+      plane.none_behind = sum == 0 || value > 10 * v * sum || is_corner(scene, face, patch.point(p));
     }
     return;
   }

@@ -78,7 +78,9 @@ struct PairView {
 PairResult run_pair(Hierarchy::Tier tier, const PairView& view, const PairPatch& from, const PairPatch& to,
                     PairScratch::Data& scratch, std::span<ShadowAnswer> answers, const ExactFaces* exact,
                     PairCounters* counters);
-void run_candidates(const PairView& view, const PairPatch& from, const PairPatch& to,
-                    PairScratch::Data& scratch, std::vector<std::uint32_t>& faces);
+void run_candidates(const PairArrays& arrays, const PairPatch& from, const PairPatch& to,
+                    std::vector<std::uint32_t>& faces);
+void run_shaft_faces(const PairArrays& arrays, const std::array<float, 6>& a, const std::array<float, 6>& b,
+                     std::vector<std::uint32_t>& faces);
 
 }  // namespace gnomon::fast

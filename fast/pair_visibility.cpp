@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include "fast/hierarchy_bounds.h"
@@ -200,16 +201,31 @@ PairResult PairCaster::shadows_exact(const ExactFaces& faces, const RayBatch& ba
   return shadows_exact(faces, data.from, data.to, scratch, answers, counters);
 }
 
-void PairCaster::candidates(const PairPatch& from, const PairPatch& to, PairScratch& scratch,
+void PairCaster::candidates(const PairPatch& from, const PairPatch& to,
                             std::vector<std::uint32_t>& faces) const {
   faces.clear();
   if (from.size() == 0 || to.size() == 0) return;
   if (in_domain_ && from.in_domain && to.in_domain) {
-    if (!arrays_->tree.nodes.empty()) run_candidates({scene_, *arrays_}, from, to, scratch.data(), faces);
+    if (!arrays_->tree.nodes.empty()) run_candidates(*arrays_, from, to, faces);
     return;
   }
   for (std::uint32_t face = 0; face < scene_.face_count(); ++face) {
     if (!from.own.contains(face) && !to.own.contains(face)) faces.push_back(face);
+  }
+}
+
+void PairCaster::shaft_faces(const scene::Box<float>& a, const scene::Box<float>& b,
+                             std::vector<std::uint32_t>& faces) const {
+  faces.clear();
+  bool inside = in_domain_;
+  for (std::size_t i = 0; i < 6; ++i) {
+    inside &= std::abs(a.c[i]) <= kMostMagnitude && std::abs(b.c[i]) <= kMostMagnitude;
+  }
+  if (!inside) {
+    faces.resize(scene_.face_count());
+    std::iota(faces.begin(), faces.end(), 0u);
+  } else if (!arrays_->tree.nodes.empty()) {
+    run_shaft_faces(*arrays_, a.c, b.c, faces);
   }
 }
 

@@ -12,6 +12,7 @@
 
 #include "fast/hierarchy.h"
 #include "fast/pair_patch.h"
+#include "scene/box.h"
 #include "scene/face_run.h"
 #include "scene/patch_pair.h"
 #include "scene/scene.h"
@@ -32,6 +33,7 @@ struct RayBatch {
 /// Naive: so the floats say. Certified and exact: all and none are right, in exact arithmetic.
 struct PairResult {
   scene::PairVisibility visibility = scene::PairVisibility::part;
+  std::uint32_t blocker = scene::kNoFace;  ///< none: the face that blocks every ray
 };
 
 /// What pairs cost, in tests: the same on every machine.
@@ -110,10 +112,15 @@ class PairCaster {
                            PairScratch& scratch, std::span<ShadowAnswer> answers,
                            PairCounters* counters = nullptr) const;
 
-  /// The faces that certified culling leaves for the pair, in any order, without duplicates: every face of
-  /// the scene that blocks one of the rays is among them. Out of the domain: all but the own ones.
-  void candidates(const PairPatch& from, const PairPatch& to, PairScratch& scratch,
-                  std::vector<std::uint32_t>& faces) const;
+  /// The faces that certified culling leaves for the pair, in any order, none twice. Every face of the scene
+  /// but the own ones is among them that meets an open segment from a point of the hull of `from` to a point
+  /// of the hull of `to`. Out of the domain: all but the own ones.
+  void candidates(const PairPatch& from, const PairPatch& to, std::vector<std::uint32_t>& faces) const;
+
+  /// The faces that certified culling leaves for the shaft between two valid boxes: every closed face that
+  /// meets the closed shaft is among them. In any order, none twice. Out of the domain: all.
+  void shaft_faces(const scene::Box<float>& a, const scene::Box<float>& b,
+                   std::vector<std::uint32_t>& faces) const;
 
   /// The memory of nodes, leaves and the index of faces; the scene's own is not in it.
   [[nodiscard]] std::size_t bytes() const;

@@ -78,7 +78,8 @@ HWY_INLINE std::uint32_t candidate_lanes(const PairArrays& arrays, const Bundle&
                                          const Skipped& skipped, ChildLink link) {
   if (link.has_balls()) {
     const BallBlock& block = arrays.tree.balls[link.block()];
-    return link.lanes() & lanes_outside(skipped.from, block.face) & lanes_outside(skipped.to, block.face);
+    return link.lanes() & lanes_outside(skipped.from, block.face) & lanes_outside(skipped.to, block.face) &
+           balls_between(bundle.shaft, block);
   }
   const TriangleBlock& block = arrays.tree.triangles[link.block()];
   return link.lanes() & lanes_outside(skipped.from, block.face) & lanes_outside(skipped.to, block.face) &
@@ -412,9 +413,8 @@ PairResult PairWalk<Tier>::run(std::span<ShadowAnswer> answers) {
       store(answers);
     }
   }
-  return {has_common        ? scene::PairVisibility::none
-          : !any_candidate_ ? scene::PairVisibility::all
-                            : scene::PairVisibility::part};
+  if (has_common) return {scene::PairVisibility::none, common};
+  return {any_candidate_ ? scene::PairVisibility::part : scene::PairVisibility::all};
 }
 
 template <class Tier>
@@ -437,11 +437,9 @@ PairResult run_certified(const PairView& view, const PairPatch& from, const Pair
   return run<CertifiedTier>(view, from, to, scratch, answers, exact, counters);
 }
 
-void list_candidates(const PairView& view, const PairPatch& from, const PairPatch& to,
-                     PairScratch::Data& /*scratch*/, std::vector<std::uint32_t>& faces) {
-  const HierarchyArrays& tree = view.arrays.tree;
-  Bundle bundle(from.box, to.box);
-  const Skipped skipped = keep_in_front(from, to, bundle);
+void list(const PairArrays& arrays, const Bundle& bundle, const Skipped& skipped,
+          std::vector<std::uint32_t>& faces) {
+  const HierarchyArrays& tree = arrays.tree;
   std::uint32_t stack[kStackSize];
   std::uint32_t* top = stack;
   ChildLink link = ChildLink::node(0);
@@ -451,7 +449,7 @@ void list_candidates(const PairView& view, const PairPatch& from, const PairPatc
     } else {
       const auto& names =
           link.has_balls() ? tree.balls[link.block()].face : tree.triangles[link.block()].face;
-      for (std::uint32_t lanes = candidate_lanes(view.arrays, bundle, skipped, link); lanes != 0;
+      for (std::uint32_t lanes = candidate_lanes(arrays, bundle, skipped, link); lanes != 0;
            lanes &= lanes - 1) {
         faces.push_back(names[static_cast<std::size_t>(std::countr_zero(lanes))]);
       }
@@ -459,6 +457,18 @@ void list_candidates(const PairView& view, const PairPatch& from, const PairPatc
     if (top == stack) return;
     link = ChildLink(*--top);
   }
+}
+
+void list_candidates(const PairArrays& arrays, const PairPatch& from, const PairPatch& to,
+                     std::vector<std::uint32_t>& faces) {
+  Bundle bundle(from.box, to.box);
+  const Skipped skipped = keep_in_front(from, to, bundle);
+  list(arrays, bundle, skipped, faces);
+}
+
+void list_shaft_faces(const PairArrays& arrays, const std::array<float, 6>& a, const std::array<float, 6>& b,
+                      std::vector<std::uint32_t>& faces) {
+  list(arrays, Bundle(a, b), {}, faces);
 }
 
 // NOLINTNEXTLINE(google-readability-namespace-comments)
@@ -474,6 +484,7 @@ namespace {
 HWY_EXPORT(run_naive);
 HWY_EXPORT(run_certified);
 HWY_EXPORT(list_candidates);
+HWY_EXPORT(list_shaft_faces);
 
 }  // namespace
 
@@ -486,9 +497,14 @@ PairResult run_pair(Hierarchy::Tier tier, const PairView& view, const PairPatch&
   return HWY_DYNAMIC_DISPATCH(run_certified)(view, from, to, scratch, answers, exact, counters);
 }
 
-void run_candidates(const PairView& view, const PairPatch& from, const PairPatch& to,
-                    PairScratch::Data& scratch, std::vector<std::uint32_t>& faces) {
-  HWY_DYNAMIC_DISPATCH(list_candidates)(view, from, to, scratch, faces);
+void run_candidates(const PairArrays& arrays, const PairPatch& from, const PairPatch& to,
+                    std::vector<std::uint32_t>& faces) {
+  HWY_DYNAMIC_DISPATCH(list_candidates)(arrays, from, to, faces);
+}
+
+void run_shaft_faces(const PairArrays& arrays, const std::array<float, 6>& a, const std::array<float, 6>& b,
+                     std::vector<std::uint32_t>& faces) {
+  HWY_DYNAMIC_DISPATCH(list_shaft_faces)(arrays, a, b, faces);
 }
 
 }  // namespace gnomon::fast

@@ -6,6 +6,7 @@
 #include "exact/patch_pair.h"
 #include "exact/shaft_candidates.h"
 #include "fuzz/list_candidates.h"
+#include "fuzz/pair_caster_rows.h"
 #include "fuzz/pair_method.h"
 
 namespace gnomon::fuzz {
@@ -101,6 +102,7 @@ std::span<const CandidateMethod> candidate_methods() {
   static const std::vector<CandidateMethod> rows = joined<CandidateMethod>({
       kTrivialFinder,
       list_candidate_rows(),
+      caster_candidate_rows(),
       kReferenceFinder,
   });
   return rows;
@@ -109,6 +111,7 @@ std::span<const CandidateMethod> candidate_methods() {
 std::span<const PairMethod> pair_methods() {
   static const std::vector<PairMethod> rows = joined<PairMethod>({
       kTrivialJudge,
+      caster_pair_rows(),
       kReferenceJudge,
   });
   return rows;

@@ -174,13 +174,12 @@ void print_pairs(const PairBenchOptions& options) {
     for (const std::size_t rays : options.rays) {
       const auto pairs = fuzz::record_pairs(scene, {rays, options.queries, 1});
       Workload every, listed;
-      fast::PairScratch scratch;
       std::vector<std::uint32_t> faces;
       for (const auto& pair : pairs) {
         every.add(pair);
         const fast::RayBatch& batch = every.batches.back();
         caster.candidates(caster.prepare(batch.from, batch.own_from), caster.prepare(batch.to, batch.own_to),
-                          scratch, faces);
+                          faces);
         if (!faces.empty()) listed.add(pair);
       }
       const std::string title = name + ", " + std::to_string(rays) + " rays";
