@@ -148,7 +148,8 @@ class PairWalk {
   bool share_walk(const Bundle& bundle);
   void run_tile(const Bundle& bundle, std::span<const std::uint32_t> links);
   bool test_leaf(ChildLink link, std::uint32_t lanes);
-  bool test_triangle(ChildLink link, std::uint32_t lane);
+  bool test_triangle(ChildLink link, std::uint32_t lane, bool keep_open = true);
+  bool try_last_blocker(const Bundle& bundle);
   void test_balls(ChildLink link, std::uint32_t lanes);
   void resolve();
   void store(std::span<ShadowAnswer> answers) const;
@@ -197,7 +198,7 @@ bool PairWalk<Tier>::share_walk(const Bundle& bundle) {
 }
 
 template <class Tier>
-bool PairWalk<Tier>::test_triangle(ChildLink link, std::uint32_t lane) {
+bool PairWalk<Tier>::test_triangle(ChildLink link, std::uint32_t lane, bool keep_open) {
   const TriangleBlock& block = tree_.triangles[link.block()];
   counts_.tests += kTileRays;
   const RayBits bits = rays_on_triangle<Tier::kCertified>(tile_, block, lane);
@@ -209,11 +210,24 @@ bool PairWalk<Tier>::test_triangle(ChildLink link, std::uint32_t lane) {
     shadowed_ |= certain;
     live_ &= ~certain;
   }
-  if (Tier::kCertified) {
+  if (Tier::kCertified && keep_open) {
     const std::uint32_t open = bits.possible & live_;
     if (open != 0) scratch_.open.push_back({block.face[lane], open});
   }
   return live_ == 0;
+}
+
+/// The face that blocked last, before all others. Answers must not depend on which one that is: what is not
+/// certain waits until the walk meets it, and a naive hit counts only where the walk would meet it.
+template <class Tier>
+bool PairWalk<Tier>::try_last_blocker(const Bundle& bundle) {
+  const LeafLane last = scratch_.last_blocker;
+  const std::uint32_t face = tree_.triangles[last.link.block()].face[last.lane];
+  if (skipped_.from.contains(face) || skipped_.to.contains(face)) return false;
+  if (!Tier::kCertified && (candidate_lanes(arrays_, bundle, skipped_, last.link) >> last.lane & 1u) == 0) {
+    return false;
+  }
+  return test_triangle(last.link, last.lane, false);
 }
 
 template <class Tier>
@@ -253,13 +267,7 @@ bool PairWalk<Tier>::test_leaf(ChildLink link, std::uint32_t lanes) {
 
 template <class Tier>
 void PairWalk<Tier>::run_tile(const Bundle& bundle, std::span<const std::uint32_t> links) {
-  const LeafLane last = scratch_.last_blocker;
-  if (last.lane != kWidth) {
-    const std::uint32_t face = tree_.triangles[last.link.block()].face[last.lane];
-    if (!skipped_.from.contains(face) && !skipped_.to.contains(face) && test_triangle(last.link, last.lane)) {
-      return;
-    }
-  }
+  if (scratch_.last_blocker.lane != kWidth && try_last_blocker(bundle)) return;
   // A link is asked for one step before it is followed.
   std::uint32_t stack[kStackSize];
   std::uint32_t* top = stack;
