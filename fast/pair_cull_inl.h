@@ -160,17 +160,25 @@ HWY_INLINE std::uint32_t triangles_between(const Bundle& bundle, const TriangleB
       box[k] = hn::Min(hn::Min(a, b), c);
       box[k + 3] = hn::Max(hn::Max(a, b), c);
     }
-    M kept = boxes_in_shaft(bundle.shaft, [&](std::size_t row) { return box[row]; });
+    const auto bound = [&](std::size_t row) { return box[row]; };
+    M kept = boxes_in_shaft(bundle.shaft, bound);
+    for (std::size_t i = 0; i < bundle.half_count; ++i) {
+      kept = hn::AndNot(boxes_behind(bundle.halves[i], bound), kept);
+    }
+    const Sides a = sides_of_planes(bundle.from, block, at), b = sides_of_planes(bundle.to, block, at);
+    kept = hn::AndNot(hn::Or(hn::And(a.front, b.front), hn::And(a.behind, b.behind)), kept);
+    std::uint64_t bits = bits_of(d, kept);
+    if (bits == 0) continue;
     for (std::size_t i = 0; i < bundle.half_count; ++i) {
       const OwnPlane& plane = *bundle.halves[i].plane;
+      // Their boxes tell as much where the plane is perpendicular to an axis.
+      if (plane.error == 0) continue;
       const M behind = hn::And(hn::And(corners_behind(plane, block.v0, corners.number[0], at),
                                        corners_behind(plane, corners.v1, corners.number[1], at)),
                                corners_behind(plane, corners.v2, corners.number[2], at));
-      kept = hn::AndNot(behind, kept);
+      bits &= ~static_cast<std::uint64_t>(bits_of(d, behind));
     }
-    const Sides a = sides_of_planes(bundle.from, block, at), b = sides_of_planes(bundle.to, block, at);
-    const M beside = hn::Or(hn::And(a.front, b.front), hn::And(a.behind, b.behind));
-    lanes |= static_cast<std::uint32_t>(bits_of(d, hn::AndNot(beside, kept))) << at;
+    lanes |= static_cast<std::uint32_t>(bits) << at;
   }
   return lanes;
 }
