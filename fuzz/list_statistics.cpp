@@ -115,6 +115,7 @@ class ListMeasurer {
     add("table1", table1_specs());
     add("text", text_specs());
     add("own", options_.own);
+    add("text", {uncached_spec()}, 1);
     add("options", option_specs(), 1);
     const exact::Hierarchy truth(scene_);
     const auto hidden = [&](const scene::ShadowQuery& query) {

@@ -12,7 +12,7 @@
 #include "fast/cull_counters.h"
 #include "fast/list_caster.h"
 #include "fuzz/list_options_text.h"
-#include "fuzz/scene_measurement.h"
+#include "fuzz/spread.h"
 #include "scene/scene.h"
 
 namespace gnomon::fuzz {
@@ -37,9 +37,12 @@ struct ListSpec {
 /// open at 0.2, 0.4, 0.6 and 0.8.
 [[nodiscard]] std::vector<ListSpec> table1_specs();
 
-/// What its text measures besides: no shadow cache and the cache alone, both from the root; ratio open
-/// without mailbox marks at 0.2, 0.6 and 0.8.
+/// What its text measures besides: the shadow cache alone, from the root; ratio open without mailbox marks at
+/// 0.2, 0.6 and 0.8.
 [[nodiscard]] std::vector<ListSpec> text_specs();
+
+/// And from the root without the shadow cache: at the low rate alone.
+[[nodiscard]] ListSpec uncached_spec();
 
 /// The paper's method by its defaults, then every option by itself; asked at the low rate alone.
 [[nodiscard]] std::vector<ListSpec> option_specs();

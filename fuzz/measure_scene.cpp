@@ -345,6 +345,15 @@ void measure_scene(const std::string& name, const scene::Scene& given, const Sce
         name + " (" + std::string(variant.name) + "): rounded to floats: " + std::to_string(single.moved) +
         " points, balls and lights moved, " + std::to_string(single.merged) + " points merged");
   }
+  if (options.lists) {
+    const std::string where = name + " candidate lists";
+    std::vector<ListRow> rows =
+        measure_lists(name, single.scene, {*options.lists, options.rounds}, [&](double done) {
+          if (on_progress) on_progress(done, where);
+        });
+    if (rows.empty()) measurement.notes.push_back(where + " left out: no two polygons face each other");
+    std::move(rows.begin(), rows.end(), std::back_inserter(measurement.lists));
+  }
   SceneMeasurer(name, single.scene, variant, options, measurement, on_progress).run();
 }
 

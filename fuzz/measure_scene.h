@@ -4,6 +4,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@ struct MeasureOptions {
   std::vector<const SceneMethod*> methods;    ///< rows
   std::vector<std::array<double, 3>> lights;  ///< instead of the scene's own, where there are any
   unsigned rounds = 5;                        ///< timed, after one that isn't
+  /// Candidate lists on progressive radiosity too, with these further rows; else none.
+  std::optional<std::vector<ListSpec>> lists;
   bool chosen = false;  ///< methods were chosen by name: then none is left out for taking too long
 };
 

@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "fuzz/first_hit_row.h"
+#include "fuzz/list_statistics.h"
 #include "fuzz/scene_method.h"
+#include "fuzz/spread.h"
 #include "fuzz/verdict.h"
 
 namespace gnomon::fuzz {
@@ -51,14 +53,6 @@ struct ShadowRow {
   [[nodiscard]] bool promise_broken() const;
 };
 
-/// Half of the rounds took `median` or less, a quarter `low25` or less, three quarters `high75` or less.
-struct Spread {
-  double median = 0, low25 = 0, high75 = 0;
-};
-
-/// Quartiles, interpolated between neighbours. At least one value.
-[[nodiscard]] Spread spread_of(std::vector<double> values);
-
 /// Nanoseconds of processor time a query, of the row with the same index.
 struct QueryTimes {
   Spread image, shuffled;
@@ -79,6 +73,7 @@ struct Measurement {
   std::vector<FirstHitRow> hit_rows;
   std::vector<QueryTimes> hit_times;  ///< one a row of hit_rows
   std::vector<SetUp> set_ups;
+  std::vector<ListRow> lists;
   std::vector<std::string> notes;  ///< what was left out, and why; rounding of scenes
 
   [[nodiscard]] bool promise_broken() const;

@@ -8,6 +8,7 @@
 #include "fuzz/scene_measurement.h"
 #include "reports/compare.h"
 #include "reports/json_node.h"
+#include "reports/list_json.h"
 #include "scene/input_error.h"
 
 namespace gnomon::reports {
@@ -19,6 +20,7 @@ struct MeasureResult {
   std::uint64_t seed = 0;
   std::string lights;
   std::vector<MeasureRow> rows;
+  std::vector<ListFigures> lists;
   std::map<std::string, const MeasureRow*> by_key;
   std::map<std::string, std::string> environment;
 
@@ -44,6 +46,7 @@ void read(const std::filesystem::path& path, MeasureResult& result) {
     result.lights += (result.lights.empty() ? "" : " ") + light.text();
   }
   result.rows = read_measure_rows(top);
+  result.lists = read_lists(top);
   for (const MeasureRow& row : result.rows) {
     if (!result.by_key.emplace(key_of(row), &row).second) {
       result.fail("expected each row once, found twice: " + key_of(row));
@@ -119,6 +122,52 @@ void compare_speed(const std::string& key, const char* order, const std::optiona
                     options.speed_limit && ratio > *options.speed_limit && !overlap, then, now});
 }
 
+std::optional<TimeSpread> spread_of_times(const std::optional<fuzz::Spread>& ns) {
+  if (!ns) return std::nullopt;
+  return TimeSpread{ns->median, ns->low25, ns->high75};
+}
+
+void compare_lists(const MeasureResult& before, const MeasureResult& after, const CompareOptions& options,
+                   Comparison& comparison) {
+  for (const ListFigures& now : after.lists) {
+    const auto then = std::find_if(before.lists.begin(), before.lists.end(), [&](const ListFigures& row) {
+      return row.scene == now.scene && row.table == now.table && row.name == now.name;
+    });
+    const std::string row_key = "lists " + now.scene + " " + now.table + " " + now.name;
+    if (then == before.lists.end() || then->rates.size() != now.rates.size()) {
+      comparison.only_new.push_back(row_key);
+      continue;
+    }
+    ++comparison.rows;
+    for (std::size_t k = 0; k < now.rates.size(); ++k) {
+      const ListRate &old_rate = then->rates[k], &rate = now.rates[k];
+      const std::string key = row_key + (k == 0 ? " low" : " high");
+      if (old_rate.pairs != rate.pairs || old_rate.rays != rate.rays || old_rate.shadowed != rate.shadowed) {
+        after.fail(fmt::format("expected the workload of the old result ({} rays in {}), found {}",
+                               old_rate.rays, key, rate.rays));
+      }
+      const auto say = [&](const char* field, std::uint64_t old_count, std::uint64_t new_count) {
+        if (old_count == new_count) return;
+        comparison.errors.push_back(
+            {key, field, old_count, new_count, new_count < old_count ? Change::better : Change::worse});
+      };
+      say("false_lit", old_rate.false_lit, rate.false_lit);
+      say("false_shadowed", old_rate.false_shadowed, rate.false_shadowed);
+      // Of equally many lists; options decide how many there are.
+      if (old_rate.checked == rate.checked) say("lacking", old_rate.lacking, rate.lacking);
+      compare_speed(key, "ray", spread_of_times(old_rate.ray), spread_of_times(rate.ray), options,
+                    comparison.speeds);
+    }
+  }
+  for (const ListFigures& then : before.lists) {
+    if (std::none_of(after.lists.begin(), after.lists.end(), [&](const ListFigures& row) {
+          return row.scene == then.scene && row.table == then.table && row.name == then.name;
+        })) {
+      comparison.only_old.push_back("lists " + then.scene + " " + then.table + " " + then.name);
+    }
+  }
+}
+
 }  // namespace
 
 Comparison compare_measurements(const std::filesystem::path& before, const std::filesystem::path& after,
@@ -163,6 +212,7 @@ Comparison compare_measurements(const std::filesystem::path& before, const std::
   for (const MeasureRow& row : then.rows) {
     if (!now.by_key.contains(key_of(row))) comparison.only_old.push_back(key_of(row));
   }
+  compare_lists(then, now, options, comparison);
   if (comparison.rows == 0) now.fail("expected the workload of the old result, found no row that is in both");
   std::stable_sort(comparison.errors.begin(), comparison.errors.end(),
                    [](const ErrorChange& a, const ErrorChange& b) { return a.change < b.change; });

@@ -4,6 +4,7 @@
 
 #include "fuzz/statistics.h"
 #include "reports/environment.h"
+#include "reports/list_json.h"
 #include "reports/measure_text.h"
 
 namespace gnomon::reports {
@@ -192,10 +193,14 @@ std::string measure_json(const fuzz::Measurement& measurement, const MeasureComm
                        {"seconds", set_up.seconds},
                        {"bytes", set_up.bytes}});
   }
+  std::vector<ListFigures> lists;
+  for (const fuzz::ListRow& row : measurement.lists) lists.push_back(figures_of(row));
+  if (!lists.empty()) json["lists"] = lists_json(lists);
   Json where = Json::object();
   for (const auto& [name, value] : environment()) where[name] = value;
   json["measured"] = {
       {"environment", where}, {"rounds", command.rounds}, {"set_ups", set_ups}, {"ns_per_query", times}};
+  if (!lists.empty()) json["measured"]["lists"] = list_times_json(lists);
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

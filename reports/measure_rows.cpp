@@ -5,6 +5,7 @@
 #include <string>
 
 #include "reports/json_node.h"
+#include "reports/list_json.h"
 
 namespace gnomon::reports {
 namespace {
@@ -131,7 +132,7 @@ std::vector<MeasureFile> read_measure_files(const std::filesystem::path& folder)
   for (const std::filesystem::path& path : paths) {
     const Json json = read_json(path);
     const Node top(json, path);
-    if (kind_of_result(top) == "measure") files.push_back({path, read_measure_rows(top)});
+    if (kind_of_result(top) == "measure") files.push_back({path, read_measure_rows(top), read_lists(top)});
   }
   return files;
 }

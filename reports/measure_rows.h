@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "reports/list_figures.h"
 #include "reports/summary.h"
 
 namespace gnomon::reports {
@@ -53,6 +54,7 @@ struct MeasureRow {
 struct MeasureFile {
   std::filesystem::path path;
   std::vector<MeasureRow> rows;
+  std::vector<ListFigures> lists;  ///< candidate lists on progressive radiosity
 };
 
 /// Those of a folder, in the order of their names; other result files are passed over.

@@ -6,6 +6,8 @@
 #include <algorithm>
 
 #include "fuzz/statistics.h"
+#include "fuzz/workload.h"
+#include "reports/radiosity_ratio.h"
 
 namespace gnomon::reports {
 namespace {
@@ -75,6 +77,20 @@ std::string remarks(const Row& row) {
   return text + "\n";
 }
 
+/// Of rows of radiosity: the pairs that have candidates, and what methods that are asked by pairs found.
+std::string pairs_text(const ShadowRow& row, const fuzz::QueryTimes& times) {
+  std::string text;
+  if (times.listed) text += fmt::format("  with candidates {:.1f} ns", times.listed->median);
+  if (row.pairs && row.pairs->pairs > 0) {
+    const double n = static_cast<double>(row.pairs->pairs);
+    text += fmt::format("; pairs: {:.0f} % all, {:.0f} % none, {:.1f} faces each",
+                        100 * static_cast<double>(row.pairs->all) / n,
+                        100 * static_cast<double>(row.pairs->none) / n,
+                        static_cast<double>(row.pairs->faces) / n);
+  }
+  return text;
+}
+
 std::string row_text(const ShadowRow& row, const fuzz::QueryTimes& times, const fuzz::SetUp* set_up) {
   const auto& m = row.matrix;
   std::string text =
@@ -87,7 +103,7 @@ std::string row_text(const ShadowRow& row, const fuzz::QueryTimes& times, const 
   if (ShadowRow::wrong_reason(m) > 0) {
     text += fmt::format("  {} dark for the wrong reason", ShadowRow::wrong_reason(m));
   }
-  return text + remarks(row);
+  return text + pairs_text(row, times) + remarks(row);
 }
 
 std::string header_text(const FirstHitRow& row) {
@@ -122,6 +138,28 @@ const fuzz::SetUp* set_up_of(const fuzz::Measurement& measurement, const auto& r
                candidate.variant == row.variant;
       });
   return set_up != measurement.set_ups.end() ? &*set_up : nullptr;
+}
+
+std::string ratios_text(const fuzz::Measurement& measurement) {
+  std::vector<RadiosityTime> times;
+  for (std::size_t i = 0; i < measurement.rows.size(); ++i) {
+    const ShadowRow& row = measurement.rows[i];
+    if (!fuzz::is_radiosity(row.workload)) continue;
+    times.push_back({row.scene + "\n" + row.variant + "\n" + row.workload, std::string(row.method->name),
+                     measurement.times[i].image.median});
+  }
+  std::string text;
+  for (const RadiosityRatio& ratio : ratios_to_embree(times)) {
+    if (text.empty()) {
+      text =
+          "\nradiosity: time a ray over that of Embree's quickest row that asks ray by ray, over scenes and "
+          "rays a pair\n" +
+          fmt::format("  {:<24}{:>16}{:>10}{:>10}{:>8}\n", "method", "geometric mean", "least", "most", "of");
+    }
+    text += fmt::format("  {:<24}{:>16.2f}{:>10.2f}{:>10.2f}{:>8}\n", ratio.method, ratio.mean, ratio.least,
+                        ratio.most, ratio.places);
+  }
+  return text;
 }
 
 template <class Row>
@@ -160,7 +198,8 @@ constexpr const char* kLegend =
 
 std::string measure_text(const fuzz::Measurement& measurement) {
   std::string text = tables_text(measurement, measurement.rows, measurement.times) +
-                     tables_text(measurement, measurement.hit_rows, measurement.hit_times);
+                     tables_text(measurement, measurement.hit_rows, measurement.hit_times) +
+                     ratios_text(measurement);
   if (!measurement.rows.empty()) text += kShadowLegend;
   if (!measurement.hit_rows.empty()) text += kHitLegend;
   if (!text.empty()) text += kLegend;

@@ -8,7 +8,9 @@
 #include <stdexcept>
 
 #include "fast/fp_environment.h"
+#include "fuzz/list_options_text.h"
 #include "fuzz/measure_scene.h"
+#include "reports/list_figures.h"
 #include "reports/measure_text.h"
 #include "reports/peers/peers.h"
 #include "reports/progress_line.h"
@@ -27,7 +29,8 @@ constexpr const char* kDefaultScenes[] = {"living-room", "sphereflake:3", "tetra
 
 struct MeasureArguments {
   std::vector<std::string> scenes, lights, methods, workloads, variants;
-  std::vector<std::size_t> rays;
+  std::vector<std::size_t> rays;    // a pair, of radiosity
+  std::vector<std::string> shafts;  // further rows of candidate lists
   std::string json;
   std::size_t queries = fuzz::WorkloadOptions{}.queries;
   std::uint64_t seed = fuzz::WorkloadOptions{}.seed;
@@ -48,6 +51,11 @@ void drop_repeats(std::vector<std::string>& words) {
     if (std::find(first.begin(), first.end(), word) == first.end()) first.push_back(std::move(word));
   }
   words = std::move(first);
+}
+
+bool names_radiosity(const MeasureArguments& arguments) {
+  return std::find(arguments.workloads.begin(), arguments.workloads.end(), "radiosity") !=
+         arguments.workloads.end();
 }
 
 /// Throws unless it is a square number, as workloads of radiosity ask.
@@ -97,22 +105,28 @@ std::string command_of(const MeasureArguments& arguments) {
   for (const std::string& light : arguments.lights) text += " --light " + light;
   for (const std::string& method : arguments.methods) text += " --method " + method;
   for (const std::string& workload : arguments.workloads) text += " --workload " + workload;
-  for (const std::size_t rays : arguments.rays) text += " --rays " + std::to_string(rays);
+  for (const std::string& shaft : arguments.shafts) text += " --shaft " + shaft;
+  if (names_radiosity(arguments)) {
+    for (const std::size_t rays : arguments.rays) text += " --rays " + std::to_string(rays);
+  }
   for (const std::string& variant : arguments.variants) text += " --variant " + variant;
   text += " --queries " + std::to_string(arguments.queries) + " --seed " + std::to_string(arguments.seed);
   return text + " --rounds " + std::to_string(arguments.rounds);
 }
 
 int run_measure(MeasureArguments arguments) {
-  const bool radiosity = std::find(arguments.workloads.begin(), arguments.workloads.end(), "radiosity") !=
-                         arguments.workloads.end();
+  const bool radiosity = names_radiosity(arguments);
   if (arguments.scenes.empty() && radiosity && arguments.workloads.size() == 1) {
     arguments.scenes.assign(std::begin(kRadiosityScenes), std::end(kRadiosityScenes));
   }
   if (arguments.scenes.empty()) arguments.scenes.assign(std::begin(kDefaultScenes), std::end(kDefaultScenes));
-  if (!arguments.rays.empty() && !radiosity) {
-    throw std::runtime_error("--rays: expected --workload radiosity with it");
+  for (const auto& [given, option] :
+       {std::pair{!arguments.rays.empty(), "--rays"}, {!arguments.shafts.empty(), "--shaft"}}) {
+    if (given && !radiosity) {
+      throw std::runtime_error(std::string(option) + ": expected --workload radiosity beside it, found none");
+    }
   }
+  if (arguments.rays.empty()) arguments.rays = {16, 64, 400};
   for (auto* const words : {&arguments.scenes, &arguments.workloads, &arguments.variants}) {
     drop_repeats(*words);
   }
@@ -121,6 +135,11 @@ int run_measure(MeasureArguments arguments) {
   options.chosen = !arguments.methods.empty();
   options.rounds = arguments.rounds;
   options.workload = {arguments.queries, arguments.seed};
+  std::vector<fuzz::ListSpec> shafts;
+  drop_repeats(arguments.shafts);
+  for (const std::string& text : arguments.shafts) {
+    shafts.push_back({text, fuzz::ListStart::lists, fuzz::parse_list_setup(text)});
+  }
   const std::vector<VariantRun> runs = variant_runs(arguments);
   for (const std::string& light : arguments.lights) options.lights.push_back(parse_light(light));
   if (!arguments.json.empty()) scene::require_writable(arguments.json);
@@ -139,6 +158,8 @@ int run_measure(MeasureArguments arguments) {
     for (std::size_t i = 0; i < scenes.size(); ++i) {
       for (const VariantRun& run : runs) {
         options.workloads = run.workloads;
+        options.lists.reset();
+        if (radiosity && run.variant->name == "given") options.lists = shafts;
         fuzz::measure_scene(
             scenes[i].name, scenes[i].scene, *run.variant, options, measurement,
             [&](double share, const std::string& where) { line.show((done + share) / parts, where); });
@@ -152,7 +173,9 @@ int run_measure(MeasureArguments arguments) {
       }
     }
   }
-  std::cout << measure_text(measurement);
+  std::vector<ListFigures> lists;
+  for (const fuzz::ListRow& row : measurement.lists) lists.push_back(figures_of(row));
+  std::cout << lists_text(lists) << measure_text(measurement);
   const auto say_broken = [](const auto& row) {
     if (!row.promise_broken()) return;
     std::cerr << "gnomon: " << row.method->name << " on " << row.scene << " (" << row.variant << ") "
@@ -178,6 +201,13 @@ void add_measure_verb(CLI::App& app, std::function<int()>& run) {
   several("--light", arguments->lights, "X,Y,Z: a point light instead of the scene's own (repeatable)");
   several("--method", arguments->methods, "a method of `gnomon list` (repeatable); all without it");
   several("--workload", arguments->workloads, "a workload (repeatable); all without it");
+  verb->add_option(
+          "--rays", arguments->rays,
+          "rays a pair with --workload radiosity, square numbers (repeatable); 16, 64 and 400 without it")
+      ->allow_extra_args(false)
+      ->check(whole_number(1, 10000));
+  several("--shaft", arguments->shafts,
+          "NAME=VALUE,...: a further row of candidate lists with --workload radiosity (repeatable)");
   several("--variant", arguments->variants,
           "given, moved, scaled-up or scaled-down (repeatable); without it hard and hard-rays are asked of "
           "all, the rest of the scene as given");
@@ -202,18 +232,28 @@ void add_measure_verb(CLI::App& app, std::function<int()>& run) {
                 std::string(kind.description) + "\n";
     }
   }
+  footer +=
+      "--workload radiosity asks pairs of patches with each of --rays, and holds the paper's candidate "
+      "lists\n"
+      "against its Table 1 on 20 steps of progressive radiosity; without scenes on office and office-fine.\n"
+      "Options of --shaft, defaults first:\n" +
+      fuzz::known_list_options();
+  if (!footer.ends_with('\n')) footer += '\n';
   footer += "Variants:\n";
   for (const fuzz::SceneVariant& variant : fuzz::scene_variants()) {
     footer += "  " + std::string(variant.name) + std::string(14 - variant.name.size(), ' ') +
               std::string(variant.description) + "\n";
   }
-  verb->footer(footer +
-               "Exit status: 1 when a method broke its promise.\n"
-               "Examples:\n"
-               "  gnomon measure --json default.json\n"
-               "  gnomon measure office balls.nff --queries 20000 --json both.json\n"
-               "  gnomon measure bunny.off --light 1,2,3 --method bvh-naive-f32 --method bvh-exact\n"
-               "  gnomon measure gears.nff --workload hard --variant moved --queries 1000000");
+  verb->footer(
+      footer +
+      "Exit status: 1 when a method broke its promise.\n"
+      "Examples:\n"
+      "  gnomon measure --json default.json\n"
+      "  gnomon measure office balls.nff --queries 20000 --json both.json\n"
+      "  gnomon measure bunny.off --light 1,2,3 --method bvh-naive-f32 --method bvh-exact\n"
+      "  gnomon measure gears.nff --workload hard --variant moved --queries 1000000\n"
+      "  gnomon measure --workload radiosity --json radiosity.json\n"
+      "  gnomon measure office:4 --workload radiosity --rays 256 --shaft strategy=keep-closed,tree=sah");
   verb->final_callback([&run, arguments] { run = [arguments] { return run_measure(*arguments); }; });
 }
 
