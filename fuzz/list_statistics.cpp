@@ -122,7 +122,8 @@ class ListMeasurer {
       return truth.shadow(query).answer == scene::Shadow::shadowed;
     };
     for (std::size_t rate = 0; rate < 2; ++rate) {
-      const std::vector<RadiosityStep> steps = record_steps(scene_, hidden, {20, kSamplesPerSide[rate], 0});
+      const std::vector<RadiosityStep> steps =
+          record_steps(scene_, hidden, {options_.steps, kSamplesPerSide[rate], 0});
       const std::vector<ListStep> ready = list_steps_of(steps);
       if (ready.empty()) return {};
       run_rate(rate, ready);

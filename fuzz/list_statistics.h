@@ -84,9 +84,10 @@ struct ListMeasureOptions {
   std::vector<ListSpec> own;        ///< more rows
   unsigned rounds = 3;              ///< timed
   std::size_t checked_lists = 200;  ///< a row and rate, at most, evenly chosen
+  std::size_t steps = 20;           ///< of progressive radiosity: the paper's
 };
 
-/// Casts the rays of 20 steps of progressive radiosity in every way, holds every answer against the truth,
+/// Casts the rays of progressive radiosity's steps in every way, holds every answer against the truth,
 /// and times the ways in turn. `scene` has floats alone. Nothing for a scene in which no patches face each
 /// other.
 [[nodiscard]] std::vector<ListRow> measure_lists(const std::string& name, const scene::Scene& scene,

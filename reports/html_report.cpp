@@ -7,6 +7,7 @@
 
 #include "reports/assets.h"
 #include "reports/html_measure.h"
+#include "reports/html_radiosity.h"
 #include "reports/html_sections.h"
 #include "reports/ledger.h"
 #include "reports/result_reader.h"
@@ -41,9 +42,9 @@ std::string page(std::span<const ResultFile> files, std::span<const MeasureFile>
       "<title>gnomon report</title>\n<link rel=\"icon\" href=\"data:,\">\n";
   out += fmt::format("<style>\n{}</style>\n</head>\n<body>\n<main>\n", asset("report.css"));
   out += verdict_section(files) + measure_verdict(scenes) + plot_section(files) + methods_section(files) +
-         rows_section(files) + measure_section(scenes) + lists_section(files) + error_sources_section(files) +
-         mix_section(files) + witness_section(files) + other_results_section(files) +
-         claims_section(ledger()) + foot_section(files);
+         rows_section(files) + lists_section(files) + measure_section(scenes) + radiosity_section(scenes) +
+         error_sources_section(files) + mix_section(files) + witness_section(files) +
+         other_results_section(files) + claims_section(ledger()) + foot_section(files);
   out += "</main>\n" + scripts() + "</body>\n</html>\n";
   return out;
 }

@@ -152,8 +152,10 @@ std::vector<TextFigure> text_figures(std::span<const ListFigures> rows, std::str
                                                         : "");
   };
   const auto percent = [](double share) { return fmt::format("{:.1f} %", 100 * share); };
-  const auto say = [&](std::string what, std::string ours, std::string theirs, bool same) {
-    const char* const direction = theirs.empty() ? "" : same ? "same" : "opposite";
+  // `same`: of what has a direction.
+  const auto say = [&](std::string what, std::string ours, std::string theirs,
+                       std::optional<bool> same = std::nullopt) {
+    const char* const direction = theirs.empty() || !same ? "" : *same ? "same" : "opposite";
     figures.push_back({std::move(what), std::move(ours), std::move(theirs), direction});
   };
   const ListFigures* const none = row("no shadow cache");
@@ -161,8 +163,8 @@ std::vector<TextFigure> text_figures(std::span<const ListFigures> rows, std::str
   const ListFigures* const base = row("baseline");
   if (cache != nullptr && !cache->rates.empty()) {
     const ListRate& low = cache->rates[0];
-    say("rays shadowed, 1 sample", percent(over(real(low.shadowed), real(low.rays))), printed("54 %", "54 %"),
-        low.shadowed > 0);
+    say("rays shadowed, 1 sample", percent(over(real(low.shadowed), real(low.rays))),
+        printed("54 %", "54 %"));
     say("of these found by the shadow cache", percent(over(real(low.cache_hits), real(low.shadowed))),
         printed("78 %", "78 %"), 2 * low.cache_hits > low.shadowed);
     if (none != nullptr && !none->rates.empty()) {
@@ -177,7 +179,7 @@ std::vector<TextFigure> text_figures(std::span<const ListFigures> rows, std::str
   if (const ListFigures* const closed = row("keep closed"); closed != nullptr && closed->rates.size() == 2) {
     say("uncached rays a shaft, low and high rate",
         fmt::format("{:.1f}, {:.1f}", closed->rates[0].rays_a_shaft(), closed->rates[1].rays_a_shaft()),
-        printed("8.1, 34.0", "3.9, 18.5"), true);
+        printed("8.1, 34.0", "3.9, 18.5"));
   }
   for (const auto& [ratio, theirs] : {std::pair{"0.2", "2.6"}, {"0.6", "1.4"}, {"0.8", "<0.01"}}) {
     const ListFigures* const with = row(fmt::format("ratio open {}", ratio));
@@ -190,9 +192,9 @@ std::vector<TextFigure> text_figures(std::span<const ListFigures> rows, std::str
   if (const ListFigures* const open = row("overlap open"); open != nullptr && !open->rates.empty()) {
     const ListRate& low = open->rates[0];
     const double boxes = low.of_shafts(low.volumes);
-    say("complex boxes inside a shaft", fmt::format("{:.2f}", boxes), printed("0.71", "0.36"), true);
+    say("complex boxes inside a shaft", fmt::format("{:.2f}", boxes), printed("0.71", "0.36"));
     say("objects below each", fmt::format("{:.1f}", over(real(low.below_volumes), real(low.volumes))),
-        printed("33.1", "4.3"), true);
+        printed("33.1", "4.3"));
   }
   if (base == nullptr || cache == nullptr) return figures;
   double fewest = 0, quickest = 0, most = 0;
