@@ -36,6 +36,18 @@ done
 "$gnomon" measure "${scenes[@]}" "${methods[@]}" --workload primary --workload surface --workload hard \
     --workload primary-rays --workload hard-rays --variant given --queries "$queries" --rounds 3 \
     --json build/report/scenes.json >/dev/null || status=$?
+
+# Radiosity: the paper's candidate lists next to its Table 1, and batches of rays next to Embree.
+methods=()
+for method in bvh-naive-f32 bvh-certified-f32 bvh-exact shaft-naive-f32 shaft-certified-f32 shaft-exact embree \
+    embree-robust embree-high embree-unfiltered cgal-epick; do
+  if grep -q "^  $method " <<<"$listed"; then methods+=(--method "$method"); fi
+done
+"$gnomon" measure office office-fine "${methods[@]}" --workload radiosity --variant given \
+    --queries $((2 * queries)) --rounds 3 --json build/report/radiosity.json >/dev/null || status=$?
+"$gnomon" measure classroom:2 floor:2 "${methods[@]}" --workload radiosity@16 --workload radiosity@400 \
+    --variant given --queries "$queries" --rounds 3 --json build/report/batches.json >/dev/null || status=$?
+
 for scene in "${scenes[@]}"; do
   "$gnomon" render "$scene" --method bvh-exact --size 480x360 -o "build/report/$scene.png"
 done

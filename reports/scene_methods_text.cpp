@@ -18,6 +18,11 @@ std::string scene_methods_text() {
     text += fmt::format("  {:<19} {:<11}{:<9}{:<16}{}\n", method.name, method.tier, "f32",
                         name_of(method.promise), method.summary);
   }
+  text += "\nshadow, workloads of radiosity alone (gnomon measure)\n";
+  for (const fuzz::SceneMethod& method : all_radiosity_methods()) {
+    text += fmt::format("  {:<22} {:<11}{:<9}{:<16}{}\n", method.name, method.tier, "f32",
+                        name_of(method.promise), method.summary);
+  }
   text += "\nWorkloads of shadow:\n\n";
   for (const fuzz::WorkloadKind& kind : fuzz::workload_kinds()) {
     text += fmt::format("  {:<16}{}\n", kind.name, kind.description);
@@ -35,20 +40,25 @@ std::string scene_methods_text() {
 
 namespace {
 
-nlohmann::ordered_json scene_question_json(const char* id, std::span<const std::string_view> answers,
-                                           std::span<const fuzz::WorkloadKind> kinds) {
-  using Json = nlohmann::ordered_json;
-  Json methods = Json::array(), workloads = Json::array(), variants = Json::array();
-  for (const fuzz::SceneMethod& method : all_scene_methods()) {
+nlohmann::ordered_json methods_json(std::span<const fuzz::SceneMethod> rows) {
+  auto methods = nlohmann::ordered_json::array();
+  for (const fuzz::SceneMethod& method : rows) {
     methods.push_back({{"name", method.name},
                        {"tier", method.tier},
                        {"promise", name_of(method.promise)},
                        {"scalars", {"f32"}},
                        {"domain", method.domain},
-                       {"in_batches", false},
+                       {"in_batches", method.by_pairs},
                        {"balls", method.has_balls},
                        {"summary", method.summary}});
   }
+  return methods;
+}
+
+nlohmann::ordered_json scene_question_json(const char* id, std::span<const std::string_view> answers,
+                                           std::span<const fuzz::WorkloadKind> kinds) {
+  using Json = nlohmann::ordered_json;
+  Json workloads = Json::array(), variants = Json::array();
   for (const fuzz::WorkloadKind& kind : kinds) {
     workloads.push_back({{"name", kind.name}, {"description", kind.description}});
   }
@@ -57,7 +67,7 @@ nlohmann::ordered_json scene_question_json(const char* id, std::span<const std::
   }
   return {{"id", id},
           {"answers", answers},
-          {"methods", methods},
+          {"methods", methods_json(all_scene_methods())},
           {"workloads", workloads},
           {"variants", variants}};
 }
@@ -65,7 +75,9 @@ nlohmann::ordered_json scene_question_json(const char* id, std::span<const std::
 }  // namespace
 
 nlohmann::ordered_json shadow_question_json() {
-  return scene_question_json("shadow", fuzz::kShadowAnswers, fuzz::workload_kinds());
+  auto json = scene_question_json("shadow", fuzz::kShadowAnswers, fuzz::workload_kinds());
+  json["radiosity_methods"] = methods_json(all_radiosity_methods());
+  return json;
 }
 
 nlohmann::ordered_json first_hit_question_json() {

@@ -72,7 +72,8 @@ TEST(Workloads, HaveBothAnswers) {
       (is_lit ? lit : dark) += 1;
     }
     EXPECT_GT(lit, 100u) << kind.name;
-    EXPECT_GT(dark, 50u) << kind.name;
+    // Most of the polygons are sides of the cone, which little hides from the lamp.
+    EXPECT_GT(dark, kind.name == "radiosity" ? 0U : 50U) << kind.name;
   }
 }
 
