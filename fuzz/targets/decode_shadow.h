@@ -28,20 +28,8 @@ class SceneDecoder {
 
   [[nodiscard]] SmallScene decode() {
     SmallScene result;
-    const unsigned kind = bytes_.next();
-    grid_ = kind % 4 != 0;
-    doubles_ = kind % 4 == 3;
-    const unsigned count = 1 + bytes_.next() % 12;
-    for (unsigned i = 0; i < count; ++i) add_face(bytes_.next());
     scene::Scene& scene = result.scene;
-    scene.points = points_;
-    scene.triangles = triangles_;
-    scene.balls = balls_;
-    scene::Object object;
-    object.triangle_count = static_cast<std::uint32_t>(triangles_.size());
-    object.ball_count = static_cast<std::uint32_t>(balls_.size());
-    object.one_sided = (kind & 4u) != 0;
-    scene.objects.push_back(object);
+    scene = decode_scene();
     const unsigned owner = bytes_.next();
     const auto faces = static_cast<std::uint32_t>(scene.face_count());
     const std::uint32_t own = owner % 2 == 0 ? scene::kNoFace : owner / 2 % faces;
@@ -55,7 +43,25 @@ class SceneDecoder {
     return result;
   }
 
- private:
+ protected:
+  [[nodiscard]] scene::Scene decode_scene() {
+    const unsigned kind = bytes_.next();
+    grid_ = kind % 4 != 0;
+    doubles_ = kind % 4 == 3;
+    const unsigned count = 1 + bytes_.next() % 12;
+    for (unsigned i = 0; i < count; ++i) add_face(bytes_.next());
+    scene::Scene scene;
+    scene.points = points_;
+    scene.triangles = triangles_;
+    scene.balls = balls_;
+    scene::Object object;
+    object.triangle_count = static_cast<std::uint32_t>(triangles_.size());
+    object.ball_count = static_cast<std::uint32_t>(balls_.size());
+    object.one_sided = (kind & 4u) != 0;
+    scene.objects.push_back(object);
+    return scene;
+  }
+
   [[nodiscard]] double rounded(double x) const {
     if (doubles_) return x;
     const volatile float y = static_cast<float>(std::clamp(x, -0x1p127, 0x1p127));
