@@ -9,6 +9,8 @@
 #include "fuzz/pair_campaign.h"
 #include "fuzz/pair_source.h"
 #include "fuzz/pair_witness.h"
+#include "fuzz/replay.h"
+#include "fuzz/witness.h"
 #include "reports/campaign_text.h"
 #include "reports/result_json.h"
 #include "scene/scalar.h"
@@ -295,6 +297,26 @@ TEST(PairCampaign, AnAnswerTooManyIsCaughtAndShrunkToOneFace) {
     EXPECT_EQ(witness.answer, "none");
     EXPECT_TRUE(witness.case_text.ends_with("-> part")) << witness.case_text;
     EXPECT_LE(words_in(witness.case_text), 1u + 20 + 1 + 10 + 2) << witness.case_text;
+  }
+}
+
+TEST(PairCampaign, WitnessesOfTheRegistrysRowsReplay) {
+  CampaignOptions some = options(1000, {"near-touch"});
+  some.methods = {"list-spheres-naive-f32"};
+  const CampaignResult result = run_pair_campaign<CandidateQuestion>(some);
+  ASSERT_EQ(result.rows.size(), 1u);
+  EXPECT_FALSE(result.promise_broken()) << "it promises nothing";
+  ASSERT_EQ(result.rows[0].witnesses.size(), 2u) << "one of each fault";
+  EXPECT_EQ(result.rows[0].witnesses[0].verdict, "missing face");
+  EXPECT_EQ(result.rows[0].witnesses[1].verdict, "excess face");
+  for (const Witness& witness : result.rows[0].witnesses) {
+    std::istringstream file(witness_text(witness));
+    const ReplayResult replayed = replay(scene::read_corpus(file, "witness"), some.methods);
+    EXPECT_TRUE(replayed.wrong_answers.empty());
+    ASSERT_EQ(replayed.lines.size(), 1u);
+    EXPECT_EQ(replayed.lines[0].answer, witness.answer);
+    EXPECT_EQ(replayed.lines[0].reference, witness.reference);
+    EXPECT_EQ(replayed.lines[0].verdict, witness.verdict == "missing face" ? "unsound" : "waste");
   }
 }
 
