@@ -89,10 +89,22 @@ template <class FT>
   return unknown ? Sign::unknown : Sign::positive;
 }
 
-/// Visits all sets of at most three of `count` rows, small ones first, until `visit` returns false.
-template <class Visit>
-void for_each_active_rows(std::size_t count, const Visit& visit) {
-  const auto n = static_cast<std::uint8_t>(count);
+/// Visits all sets of at most three rows that may hold the minimum, small ones first, until `visit` returns
+/// false. The minimum is -(sum of the multipliers times b), so that a set of rows that are surely satisfied
+/// at 0 can't hold it, unless it is the empty one.
+template <class FT, class Visit>
+void for_each_active_rows(std::span<const Row<FT>> rows, const Visit& visit_any) {
+  const auto n = static_cast<std::uint8_t>(rows.size());
+  std::array<bool, 14> may_exclude_0{};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Sign sign = sign_of(rows[i].b);
+    may_exclude_0[i] = sign == Sign::negative || sign == Sign::unknown;
+  }
+  const auto visit = [&](const ActiveRows& active) {
+    bool may = active.count == 0;
+    for (std::size_t k = 0; k < active.count; ++k) may |= may_exclude_0[active.row[k]];
+    return !may || visit_any(active);
+  };
   if (!visit(ActiveRows{})) return;
   for (std::uint8_t i = 0; i < n; ++i) {
     if (!visit(ActiveRows{{i}, 1})) return;

@@ -153,7 +153,7 @@ class Decision {
   Sign least_square_against_1() {
     Sign least = Sign::positive;
     boost::container::small_vector<ActiveRows, 32> open;
-    for_each_active_rows(quick_.all().size(), [&](const ActiveRows& active) {
+    for_each_active_rows(quick_.all(), [&](const ActiveRows& active) {
       look_at<Quick>(quick_.all(), active, least, [&] { open.push_back(active); });
       return least != Sign::negative;
     });
@@ -224,13 +224,39 @@ struct SquareBounds {
   boost::container::small_vector<ActiveRows, 32> attained_by;
 };
 
+/// The least |u|^2 that reaches a corner of one of the boxes, from above; infinity for singular M. Corners
+/// lie on many planes at once, so that intervals alone seldom know the candidates there to hold.
+double bound_by_corners(const ShaftEllipsoidCase& c) {
+  std::array<Vector<Interval>, 3> columns;
+  for (std::size_t i = 0; i < 3; ++i) columns[i] = vector_of<Interval>(c.t.axes[i]);
+  const Interval determinant = dot(cross(columns[0], columns[1]), columns[2]);
+  const Sign sign = sign_of(determinant);
+  if (sign != Sign::positive && sign != Sign::negative) return HUGE_VAL;
+  double least = HUGE_VAL;
+  for (const scene::Box<double>* box : {&c.a, &c.b}) {
+    for (std::size_t corner = 0; corner < 8; ++corner) {
+      Vector<Interval> to_corner;
+      for (std::size_t i = 0; i < 3; ++i) {
+        to_corner[i] = Interval(box->c[corner >> i & 1 ? i + 3 : i]) - Interval(c.t.centre[i]);
+      }
+      Interval sum(0);
+      for (std::size_t i = 0; i < 3; ++i) {
+        sum += CGAL::square(dot(cross(columns[(i + 1) % 3], columns[(i + 2) % 3]), to_corner) / determinant);
+      }
+      if (sum.sup() < least) least = sum.sup();
+    }
+  }
+  return least;
+}
+
 SquareBounds bound_square(const ShaftEllipsoidCase& c) {
   const CGAL::Interval_nt<false>::Protector upward;
   Rows<Interval> rows(c);
   rows.scale();
   SquareBounds bounds;
+  bounds.most = bound_by_corners(c);
   boost::container::small_vector<std::pair<double, ActiveRows>, 32> possible;
-  for_each_active_rows(rows.all().size(), [&](const ActiveRows& active) {
+  for_each_active_rows(rows.all(), [&](const ActiveRows& active) {
     const Candidate<Interval> candidate = candidate_of(rows.all(), active);
     const Sign holding = holds(rows.all(), active, candidate);
     if (holding == Sign::negative) return true;
@@ -247,16 +273,22 @@ SquareBounds bound_square(const ShaftEllipsoidCase& c) {
   return bounds;
 }
 
-/// The least |u|^2; nothing when no u satisfies all rows.
+/// From here on a gap is 1: the ellipsoid would have to be eight times as large.
+constexpr double kFarSquare = 64;
+
+/// The least |u|^2; nothing when no u satisfies all rows, or when it exceeds kFarSquare.
 std::optional<CGAL::Gmpq> least_square(const ShaftEllipsoidCase& c) {
+  const SquareBounds bounds = bound_square(c);
+  if (bounds.least > kFarSquare) return std::nullopt;
   const Rows<CGAL::Gmpq> rows(c);
   std::optional<CGAL::Gmpq> least;
-  for (const ActiveRows& active : bound_square(c).attained_by) {
+  for (const ActiveRows& active : bounds.attained_by) {
     const Candidate<CGAL::Gmpq> candidate = candidate_of(rows.all(), active);
     if (holds(rows.all(), active, candidate) != Sign::positive) continue;
     const CGAL::Gmpq square = candidate.square / candidate.square_divisor;
     if (!least || square < *least) least = square;
   }
+  if (least && *least > CGAL::Gmpq(kFarSquare)) return std::nullopt;
   return least;
 }
 
@@ -269,6 +301,22 @@ CGAL::Gmpq inside_gap(const ShaftEllipsoidCase& c) {
     most = (std::max)(most, sum == 0 ? CGAL::Gmpq(0) : CGAL::Gmpq((reach - kept) / sum));
   }
   return most;
+}
+
+double inside_gap_bound(const ShaftEllipsoidCase& c) {
+  const CGAL::Interval_nt<false>::Protector upward;
+  Rows<Interval> rows(c);
+  rows.scale();
+  double least = -1, most = -1;
+  for (const Row<Interval>& row : rows.all()) {
+    const Interval reach = square(row.r), kept = CGAL::square(row.b), sum = reach + kept;
+    if (sign_of(row.b) != Sign::positive || sign_of(sum) != Sign::positive) return 1;
+    const Interval value = (reach - kept) / sum;
+    if (std::isnan(value.inf()) || std::isnan(value.sup())) return 1;
+    least = std::fmax(least, value.inf());
+    most = std::fmax(most, value.sup());
+  }
+  return std::fmin(1, std::fmax(std::fabs(least), std::fabs(most)));
 }
 
 /// The plane test's answer after growth; empty when the filter can't tell.
@@ -323,9 +371,9 @@ Gap gap(const ShaftEllipsoidCase& c, Boundary boundary) {
 
 double gap_bound(const ShaftEllipsoidCase& c, Boundary boundary) {
   const Scaled<ShaftEllipsoidCase> scaled(c);
-  if (boundary == Boundary::inside) return 1;
+  if (boundary == Boundary::inside) return inside_gap_bound(scaled.c);
   const SquareBounds square = bound_square(scaled.c);
-  const auto gap_of = [](double q) { return q < HUGE_VAL ? std::fabs((q - 1) / (q + 1)) : 1; };
+  const auto gap_of = [](double q) { return q <= kFarSquare ? std::fabs((q - 1) / (q + 1)) : 1; };
   // (q - 1) / (q + 1) rises with q; a few roundings on top.
   return std::fmin(1, std::fmax(gap_of(square.least), gap_of(square.most)) * (1 + 0x1p-48) + 0x1p-1000);
 }

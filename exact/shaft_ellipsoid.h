@@ -23,10 +23,10 @@ std::uint64_t refer(std::span<const scene::ShaftEllipsoidCase> cases, std::span<
 [[nodiscard]] scene::Category classify(const scene::ShaftEllipsoidCase& c);
 
 /// The gap to a boundary, a pure number from -1 to 1. Outside: (q - 1) / (q + 1), q the least |u|^2 of the
-/// points centre + M u of the shaft, so that sqrt(q) is the factor by which t must grow to touch; 1 where t
-/// is flat and no copy of it, however large, meets the shaft. Inside: the maximum over sides and planes with
-/// v = n.c + d of
-/// (|M^T n|^2 - v^2) / (|M^T n|^2 + v^2) where v <= 0, and 1 where v > 0.
+/// points centre + M u of the shaft, so that sqrt(q) is the factor by which t must grow to touch; 1 where q
+/// exceeds 64, or where t is flat and no copy of it, however large, meets the shaft. Inside: the maximum over
+/// sides and planes with v = n.c + d of (|M^T n|^2 - v^2) / (|M^T n|^2 + v^2) where v <= 0, and 1 where v >
+/// 0.
 [[nodiscard]] Gap gap(const scene::ShaftEllipsoidCase& c, Boundary boundary);
 
 /// An upper bound on |gap|, from intervals: infinity where they overflow.

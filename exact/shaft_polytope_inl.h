@@ -8,6 +8,7 @@
 //   kFacesInPlanes     do the naive methods test its faces, too?
 #pragma once
 
+#include <boost/container/small_vector.hpp>
 #include <cmath>
 #include <optional>
 
@@ -201,9 +202,46 @@ Range<FT> polytope_gap(const Case& c, Boundary boundary) {
   return {*most, FT(passed_over ? 1 : 0)};
 }
 
+/// The maximum over the separating axes, in rationals for those alone that intervals see within reach of it.
+template <template <class> class Body, class Case>
+CGAL::Gmpq outside_gap(const Case& c) {
+  using Interval = FilterKernel::FT;
+  boost::container::small_vector<double, 80> at_most;
+  double most = -HUGE_VAL;
+  {
+    const CGAL::Interval_nt<false>::Protector upward;
+    const PolytopeCase<Body, Interval> polytope(c);
+    for (std::size_t i = 0; i < polytope.axes(); ++i) {
+      const Vector<Interval> n = polytope.normal(i);
+      const Interval growth = PolytopeCase<Body, Interval>::scale() * growth_of(n);
+      if (sign_of(growth) != Sign::positive) {
+        at_most.push_back(sign_of(growth) == Sign::zero ? -HUGE_VAL : HUGE_VAL);
+        continue;
+      }
+      const Range<Interval> apart = polytope.apart(n);
+      const Interval value = (CGAL::max)(apart.least, apart.most) / growth;
+      at_most.push_back(std::isnan(value.sup()) ? HUGE_VAL : value.sup());
+      most = std::fmax(most, value.inf());
+    }
+  }
+  const PolytopeCase<Body, CGAL::Gmpq> polytope(c);
+  std::optional<CGAL::Gmpq> gap;
+  for (std::size_t i = 0; i < polytope.axes(); ++i) {
+    if (at_most[i] < most || at_most[i] == -HUGE_VAL) continue;
+    const Vector<CGAL::Gmpq> n = polytope.normal(i);
+    if (is_zero(n)) continue;
+    const Range<CGAL::Gmpq> apart = polytope.apart(n);
+    const CGAL::Gmpq growth = PolytopeCase<Body, CGAL::Gmpq>::scale() * growth_of(n);
+    const CGAL::Gmpq value = (std::max)(apart.least, apart.most) / growth;
+    if (!gap || value > *gap) gap = value;
+  }
+  return *gap;
+}
+
 template <template <class> class Body, class Case>
 Gap exact_polytope_gap(const Case& c, Boundary boundary) {
   const Scaled<Case> scaled(c);
+  if (boundary == Boundary::outside) return scaled.gap_of_original(Gap(outside_gap<Body>(scaled.c).mpq()), 1);
   return scaled.gap_of_original(Gap(polytope_gap<Body, CGAL::Gmpq>(scaled.c, boundary).least.mpq()), 1);
 }
 

@@ -161,6 +161,14 @@ void move(CaseRandom& random, scene::SlabSet<F>& t, const Direction& by) {
   if (is_valid(exactly) && !exact::is_empty(exactly)) t = moved;
 }
 
+/// Half as large three times over, so that what touches from within has room.
+template <class Volume>
+void make_small(Volume& t) {
+  for (auto& axis : t.axes) {
+    for (auto& x : axis) x /= 8;
+  }
+}
+
 /// Moves t along n, from outside until least over t = most over S, or from within until most over t = most
 /// over S.
 template <class Case>
@@ -178,6 +186,7 @@ void move_along(CaseRandom& random, Case& c, const Direction& n, bool outer) {
 template <class F>
 void move_to_touch(CaseRandom& random, scene::ShaftOrientedBoxCaseOf<F>& c) {
   const bool outer = random.chance(0.6), across_edges = random.chance(0.4);
+  if (!outer) make_small(c.t);
   if (!outer || !across_edges) return move_along(random, c, random_plane(random, c), outer);
   const Direction edge = random_edge(random, c);
   const auto& axis = c.t.axes[static_cast<std::size_t>(random.below(3))];
@@ -190,6 +199,7 @@ void move_to_touch(CaseRandom& random, scene::ShaftOrientedBoxCaseOf<F>& c) {
 template <class F>
 void move_to_touch(CaseRandom& random, scene::ShaftEllipsoidCaseOf<F>& c) {
   const bool outer = random.chance(0.6);
+  if (!outer) make_small(c.t);
   move_along(random, c, random_plane(random, c), outer);
 }
 

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A second reference for shaft-slabs, shaft-oriented-box and shaft-ellipsoid, straight from the definitions
+// in GMP's rationals: points of the hull are sums of its sixteen corners. No planes, no separating axes,
+// nothing shared with exact/ or fast/.
+#pragma once
+
+#include <gmpxx.h>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "scene/category.h"
+#include "scene/volume_case.h"
+
+namespace gnomon::tests {
+
+using Q = mpq_class;
+using PointQ = std::array<Q, 3>;
+
+/// Is there an x >= 0 with A x = b? The simplex method, first phase, with Bland's rule: it ends, and exactly.
+inline bool has_solution(std::vector<std::vector<Q>> a, std::vector<Q> b) {
+  const std::size_t rows = a.size(), columns = a[0].size();
+  for (std::size_t i = 0; i < rows; ++i) {
+    if (b[i] < 0) {
+      b[i] = -b[i];
+      for (Q& x : a[i]) x = -x;
+    }
+  }
+  // Artificial variables, numbered from `columns`, are the first basis; their sum is to become 0.
+  std::vector<std::size_t> basis(rows);
+  for (std::size_t i = 0; i < rows; ++i) basis[i] = columns + i;
+  for (;;) {
+    std::size_t enters = columns;
+    for (std::size_t j = 0; j < columns && enters == columns; ++j) {
+      Q gain = 0;
+      for (std::size_t i = 0; i < rows; ++i) {
+        if (basis[i] >= columns) gain += a[i][j];
+      }
+      if (gain > 0) enters = j;
+    }
+    if (enters == columns) break;
+    std::size_t leaves = rows;
+    Q least;
+    for (std::size_t i = 0; i < rows; ++i) {
+      if (a[i][enters] <= 0) continue;
+      const Q ratio = b[i] / a[i][enters];
+      if (leaves == rows || ratio < least || (ratio == least && basis[i] < basis[leaves])) {
+        leaves = i;
+        least = ratio;
+      }
+    }
+    const Q pivot = a[leaves][enters];
+    for (Q& x : a[leaves]) x /= pivot;
+    b[leaves] /= pivot;
+    for (std::size_t i = 0; i < rows; ++i) {
+      if (i == leaves || a[i][enters] == 0) continue;
+      const Q factor = a[i][enters];
+      for (std::size_t j = 0; j < columns; ++j) a[i][j] -= factor * a[leaves][j];
+      b[i] -= factor * b[leaves];
+    }
+    basis[leaves] = enters;
+  }
+  for (std::size_t i = 0; i < rows; ++i) {
+    if (basis[i] >= columns && b[i] != 0) return false;
+  }
+  return true;
+}
+
+inline PointQ corner_of(const scene::Box<double>& box, std::size_t corner) {
+  return {Q(box.c[corner & 1 ? 3 : 0]), Q(box.c[corner & 2 ? 4 : 1]), Q(box.c[corner & 4 ? 5 : 2])};
+}
+
+inline std::vector<PointQ> corners_of_hull(const scene::Box<double>& a, const scene::Box<double>& b) {
+  std::vector<PointQ> all;
+  for (const scene::Box<double>* box : {&a, &b}) {
+    for (std::size_t corner = 0; corner < 8; ++corner) all.push_back(corner_of(*box, corner));
+  }
+  return all;
+}
+
+/// Do the hulls of two sets of points have a common point?
+inline bool hulls_meet(const std::vector<PointQ>& p, const std::vector<PointQ>& q) {
+  const std::size_t n = p.size() + q.size();
+  std::vector<std::vector<Q>> a(5, std::vector<Q>(n));
+  for (std::size_t j = 0; j < n; ++j) {
+    const bool of_p = j < p.size();
+    for (std::size_t i = 0; i < 3; ++i) a[i][j] = of_p ? p[j][i] : Q(-q[j - p.size()][i]);
+    a[of_p ? 3 : 4][j] = 1;
+  }
+  return has_solution(std::move(a), {0, 0, 0, 1, 1});
+}
+
+inline std::vector<PointQ> vertices_of(const scene::OrientedBox<double>& t) {
+  std::vector<PointQ> all;
+  for (std::size_t corner = 0; corner < 8; ++corner) {
+    PointQ p;
+    for (std::size_t j = 0; j < 3; ++j) {
+      p[j] = t.centre[j];
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (corner >> i & 1) {
+          p[j] += Q(t.axes[i][j]);
+        } else {
+          p[j] -= Q(t.axes[i][j]);
+        }
+      }
+    }
+    all.push_back(p);
+  }
+  return all;
+}
+
+/// The points where three slabs' planes meet and that lie in all slabs: none when the set is empty.
+inline std::vector<PointQ> vertices_of(const scene::SlabSet<double>& t) {
+  const auto along = [](std::size_t k, const PointQ& p) {
+    const auto& n = scene::kSlabNormals[k];
+    return Q(n[0] * p[0] + n[1] * p[1] + n[2] * p[2]);
+  };
+  std::vector<PointQ> all;
+  for (std::size_t i = 0; i < 7; ++i) {
+    for (std::size_t j = i + 1; j < 7; ++j) {
+      for (std::size_t k = j + 1; k < 7; ++k) {
+        const std::array<std::size_t, 3> slab{i, j, k};
+        for (int sides = 0; sides < 8; ++sides) {
+          // Gauss on three equations.
+          std::array<std::array<Q, 4>, 3> m;
+          for (std::size_t r = 0; r < 3; ++r) {
+            for (std::size_t c = 0; c < 3; ++c) m[r][c] = scene::kSlabNormals[slab[r]][c];
+            m[r][3] = sides >> r & 1 ? t.hi[slab[r]] : t.lo[slab[r]];
+          }
+          bool independent = true;
+          for (std::size_t c = 0; c < 3 && independent; ++c) {
+            std::size_t pivot = c;
+            while (pivot < 3 && m[pivot][c] == 0) ++pivot;
+            independent = pivot < 3;
+            if (!independent) break;
+            std::swap(m[c], m[pivot]);
+            for (std::size_t r = 0; r < 3; ++r) {
+              if (r == c) continue;
+              const Q factor = m[r][c] / m[c][c];
+              for (std::size_t x = c; x < 4; ++x) m[r][x] -= factor * m[c][x];
+            }
+          }
+          if (!independent) continue;
+          const PointQ p{Q(m[0][3] / m[0][0]), Q(m[1][3] / m[1][1]), Q(m[2][3] / m[2][2])};
+          bool within = true;
+          for (std::size_t s = 0; s < 7; ++s) {
+            const Q at = along(s, p);
+            within = within && at >= t.lo[s] && at <= t.hi[s];
+          }
+          if (within) all.push_back(p);
+        }
+      }
+    }
+  }
+  return all;
+}
+
+/// The truth for a polytope T with these vertices.
+inline scene::Category truth_of(const scene::Box<double>& a, const scene::Box<double>& b,
+                                const std::vector<PointQ>& vertices) {
+  const std::vector<PointQ> hull = corners_of_hull(a, b);
+  if (vertices.empty() || !hulls_meet(hull, vertices)) return scene::Category::outside;
+  for (const PointQ& p : vertices) {
+    if (!hulls_meet(hull, {p})) return scene::Category::overlap;
+  }
+  return scene::Category::inside;
+}
+
+/// The least |u|^2 over the hull of points u, by all its simplices of up to three corners; 0 is looked for
+/// first.
+inline Q least_square_of_hull(const std::vector<PointQ>& u) {
+  if (hulls_meet(u, {PointQ{}})) return 0;
+  const auto dot = [](const PointQ& p, const PointQ& q) {
+    return Q(p[0] * q[0] + p[1] * q[1] + p[2] * q[2]);
+  };
+  std::optional<Q> least;
+  const auto take = [&](const Q& x) {
+    if (!least || x < *least) least = x;
+  };
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    take(dot(u[i], u[i]));
+    for (std::size_t j = 0; j < i; ++j) {
+      const PointQ e{Q(u[j][0] - u[i][0]), Q(u[j][1] - u[i][1]), Q(u[j][2] - u[i][2])};
+      const Q ee = dot(e, e), ue = dot(u[i], e);
+      if (ee == 0) continue;
+      if (ue < 0 && -ue < ee) take(Q(dot(u[i], u[i]) - ue * ue / ee));
+      for (std::size_t k = 0; k < j; ++k) {
+        const PointQ f{Q(u[k][0] - u[i][0]), Q(u[k][1] - u[i][1]), Q(u[k][2] - u[i][2])};
+        const Q ff = dot(f, f), ef = dot(e, f), uf = dot(u[i], f), determinant = ee * ff - ef * ef;
+        if (determinant == 0) continue;
+        const Q s = (-ue * ff + uf * ef) / determinant, r = (-uf * ee + ue * ef) / determinant;
+        if (s >= 0 && r >= 0 && s + r <= 1) take(Q(dot(u[i], u[i]) + s * ue + r * uf));
+      }
+    }
+  }
+  return *least;
+}
+
+/// The sign of (least |u|^2) - 1 over the points centre + M u of the hull; nothing for singular M.
+inline std::optional<int> reach_sign(const scene::ShaftEllipsoidCase& c) {
+  std::array<PointQ, 3> m;
+  for (std::size_t i = 0; i < 3; ++i) m[i] = {Q(c.t.axes[i][0]), Q(c.t.axes[i][1]), Q(c.t.axes[i][2])};
+  const auto cofactor = [&](std::size_t i, std::size_t j) {
+    const PointQ &p = m[(i + 1) % 3], &q = m[(i + 2) % 3];
+    return Q(p[(j + 1) % 3] * q[(j + 2) % 3] - p[(j + 2) % 3] * q[(j + 1) % 3]);
+  };
+  const Q determinant = m[0][0] * cofactor(0, 0) + m[0][1] * cofactor(0, 1) + m[0][2] * cofactor(0, 2);
+  if (determinant == 0) return std::nullopt;
+  std::vector<PointQ> u;
+  for (const PointQ& p : corners_of_hull(c.a, c.b)) {
+    PointQ inverse;
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) inverse[i] += cofactor(i, j) * (p[j] - c.t.centre[j]) / determinant;
+    }
+    u.push_back(inverse);
+  }
+  return cmp(least_square_of_hull(u), Q(1));
+}
+
+}  // namespace gnomon::tests
