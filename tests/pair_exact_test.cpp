@@ -88,6 +88,35 @@ TEST(PairExact, FacesBlockWhatTheyMeet) {
   EXPECT_GE(counters.exact_faces, static_cast<std::uint64_t>(affordable(100)));
 }
 
+/// Radii that are the distance to the hull but for a rounding, and those next to them.
+TEST(PairExact, BallsNextToTheHull) {
+  std::array<int, 3> seen{};
+  for (const Finish finish : {Finish::grid, Finish::turned}) {
+    PairTrials trials(250 + static_cast<std::uint64_t>(finish), finish);
+    for (int i = 0; i < affordable(100 * scale()) && !HasFailure(); ++i) {
+      PairTrial trial = trials.next(1);
+      scene::Ball<double> ball{
+          trial.scene.points.empty() ? trial.scene.balls[0].centre : trial.scene.points[0], 0};
+      Points seen_from_centre;
+      for (const Rational3& p : corners_of(trial.pair)) {
+        seen_from_centre.push_back(p - rational(ball.centre));
+      }
+      const Rational3 nearest = nearest_to_origin(seen_from_centre);
+      const double distance = std::sqrt(mpq_class(scalar_product(nearest, nearest)).get_d());
+      for (const double radius :
+           {std::nextafter(distance, 0.0), distance, std::nextafter(distance, HUGE_VAL)}) {
+        ball.radius = radius;
+        trial.scene = {};
+        trial.scene.balls.push_back(ball);
+        const Between between = face_between(trial.scene, 0, trial.pair);
+        EXPECT_EQ(exact::can_block(trial.scene, 0, trial.pair), between == Between::within) << text_of(trial);
+        ++seen[static_cast<std::size_t>(between)];
+      }
+    }
+  }
+  for (const int count : seen) EXPECT_GE(count, affordable(40));
+}
+
 TEST(PairExact, PatchesSeeWhatTheDefinitionSays) {
   std::array<int, 3> seen{};
   int hiding = 0;
