@@ -6,12 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <thread>
 
 #include "exact/patch_pair.h"
 #include "exact/shaft_box.h"
 #include "exact/shaft_candidates.h"
 #include "exact/side_of_face.h"
 #include "fast/box_relation.h"
+#include "fuzz/list_candidates.h"
 #include "fuzz/list_options_text.h"
 #include "tests/list_trees.h"
 
@@ -63,6 +65,39 @@ TEST(CandidateList, CertifiedListsLoseNoFaceThatMeetsTheShaftWhateverTheOptions)
   EXPECT_LT(parts, kept);
   EXPECT_GT(marks, least(100));
   EXPECT_GT(longer, least(100));
+}
+
+// The registry's rows: promises kept, by several threads at once.
+TEST(CandidateList, RowsFindWhatTheyPromise) {
+  std::size_t rows = 0;
+  on_random_trees(9, affordable(30), [&](const Scene& scene, const ItemTree& tree, Random& random, bool) {
+    const exact::ShaftCandidates reference(scene);
+    std::vector<fuzz::BoxPair> pairs;
+    for (int i = 0; i < 20; ++i)
+      pairs.push_back({random_reference(random, tree, false), random_reference(random, tree, false)});
+    for (const fuzz::CandidateMethod& row : fuzz::list_candidate_rows()) {
+      const auto finder = row.make(scene);
+      std::vector<Faces> found[2];
+      const auto ask = [&](std::size_t who) {
+        for (const fuzz::BoxPair& pair : pairs) {
+          Faces faces{scene::kNoFace};  // to be replaced
+          finder->faces(pair, faces);
+          std::ranges::sort(faces);
+          found[who].push_back(faces);
+        }
+      };
+      { const std::jthread one(ask, 0), other(ask, 1); }
+      EXPECT_EQ(found[0], found[1]);
+      for (std::size_t i = 0; i < pairs.size(); ++i) {
+        Faces truth;
+        reference.faces(scene::converted<double>(pairs[i].a), scene::converted<double>(pairs[i].b), truth);
+        const bool all = includes(found[0][i], truth);
+        EXPECT_TRUE(all || row.promise == fuzz::Promise::none) << row.name;
+      }
+      ++rows;
+    }
+  });
+  EXPECT_GE(rows, 30u);
 }
 
 // Claim S13 without any nesting: the list of a sub-shaft, made by itself, is among the parent's.
