@@ -100,35 +100,36 @@ TEST(CandidateList, RowsFindWhatTheyPromise) {
   EXPECT_GE(rows, 30u);
 }
 
-// Claim S13 without any nesting: the list of a sub-shaft, made by itself, is among the parent's.
-TEST(CandidateList, FacesOfASubShaftAreAmongItsParents) {
-  std::size_t fewer = 0;
-  for (const Arithmetic arithmetic : {Arithmetic::certified, Arithmetic::naive}) {
-    on_random_trees(2, affordable(150), [&](const Scene& scene, const ItemTree& tree, Random& random, bool) {
-      ListOptions options;
-      options.strategy = Strategy::always_open;
-      options.arithmetic = arithmetic;
-      ListBuilder builder(tree, scene, options);
-      Lists c;
-      // On the grid all sums and products are exact, so the claim holds for floats as it does for numbers.
-      c.emitter.box = random_reference(random, tree, true);
-      c.receiver.box = random_reference(random, tree, true);
-      for (const float x : c.emitter.box.c) {
-        if (x != std::floor(x)) return;
-      }
-      builder.begin_emitter(c.emitter);
-      builder.build(c.receiver, 1, c.list);
-      Reference part = c.receiver;
-      for (int axis = 0; axis < 3; ++axis)
-        part.box.lo(axis) = 0.5F * part.box.lo(axis) + 0.5F * part.box.hi(axis);
-      if (tree.volumes() == Volumes::spheres) return;
-      builder.build(part, 1, c.part);
-      const Faces all = faces_of(tree, c.list), some = faces_of(tree, c.part);
-      EXPECT_TRUE(includes(all, some));
-      fewer += some.size() < all.size();
-    });
-  }
-  EXPECT_GT(fewer, least(20));
+// Claim S13 without any nesting: the list of a sub-shaft, made by itself, is among the parent's, where the
+// cull test is exact. The sphere test is not: what is kept wrongly by the sub-shaft's planes may be outside
+// of one of the parent's.
+TEST(CandidateList, FacesOfASubShaftAreAmongItsParentsWhereVolumesAreBoxes) {
+  std::size_t fewer = 0, more = 0;
+  on_random_trees(2, affordable(1500), [&](const Scene& scene, const ItemTree& tree, Random& random, bool) {
+    ListOptions options;
+    options.strategy = Strategy::always_open;
+    options.arithmetic = static_cast<Arithmetic>(random.below(2));
+    ListBuilder builder(tree, scene, options);
+    Lists c;
+    c.emitter.box = random_reference(random, tree, true);
+    c.receiver.box = random_reference(random, tree, true);
+    for (std::size_t k = 0; k < 6; ++k) {  // all sums and products of small integers and halves are exact
+      if (c.emitter.box.c[k] + c.receiver.box.c[k] != std::floor(c.emitter.box.c[k] + c.receiver.box.c[k]))
+        return;
+    }
+    builder.begin_emitter(c.emitter);
+    builder.build(c.receiver, 1, c.list);
+    Reference part = c.receiver;
+    for (int axis = 0; axis < 3; ++axis)
+      part.box.lo(axis) = 0.5F * part.box.lo(axis) + 0.5F * part.box.hi(axis);
+    builder.build(part, 1, c.part);
+    const Faces all = faces_of(tree, c.list), some = faces_of(tree, c.part);
+    EXPECT_TRUE(includes(all, some) || tree.volumes() == Volumes::spheres);
+    more += !includes(all, some);
+    fewer += some.size() < all.size();
+  });
+  EXPECT_GT(fewer, least(200));
+  EXPECT_GE(more, least(8) / 8);
 }
 
 // Exact on the grid, where floats make no error: what is on the list is what meets the shaft, no more.
