@@ -44,8 +44,9 @@ struct ListOptions {
   /// Items of the emitter list that meet the emitter's box are not tested against the shaft's outside.
   bool emitter_overlap = true;
   bool behind_emitter = true;  ///< what lies behind a one-sided emitter is left out
-  /// Faces of solids that face away from all of the emitter's box are left out. Only of objects that the
-  /// caller vouches for.
+  /// Faces of solids that face away from all of the emitter's box are left out, of objects that the caller
+  /// vouches for. Changes nothing for rays between points in front of each other's polygons (claim S21): also
+  /// not on the solid that the receiver belongs to. Solids whose inside the emitter's box may reach keep all.
   bool back_faces = false;
   bool mailbox = true;        ///< of ratio_open: children found outside are marked, and passed over by rays
   bool shadow_cache = true;   ///< what blocked the last ray is tested first
