@@ -82,7 +82,8 @@ HWY_INLINE std::uint32_t fill_tile(const PairPatch& from, std::size_t first_from
 /// The rays that the triangle blocks for certain, and those that it may block. Naive: both the same, edges
 /// included, ends not.
 template <bool kCertified>
-HWY_INLINE RayBits rays_on_triangle(const RayTile& tile, const TriangleBlock& block, std::size_t lane) {
+HWY_INLINE RayBits rays_on_triangle(const RayTile& tile, const TriangleBlock& block, std::size_t lane,
+                                    [[maybe_unused]] std::uint32_t live) {
   const RayFloats d;
   const RV zero = hn::Zero(d);
   RayBits bits;
@@ -102,17 +103,19 @@ HWY_INLINE RayBits rays_on_triangle(const RayTile& tile, const TriangleBlock& bl
     const RV along = dot(block.normal, dx, dy, dz);
     const RV w = hn::Sub(along, hn::Add(u, v));
     const RV least = hn::Min(hn::Min(u, v), w), most = hn::Max(hn::Max(u, v), w);
-    const RV t = dot(block.normal, cx, cy, cz);
-    const RV t1 = hn::Sub(t, along);
     if constexpr (kCertified) {
       const RV c_most = hn::Max(hn::Max(hn::Abs(cx), hn::Abs(cy)), hn::Abs(cz));
       const RV normal_error = same(block.normal_error), tiny = hn::Set(d, kTriangleUnderflow);
       const RV d_error = hn::Add(hn::Mul(normal_error, load(tile.largest)), tiny);
       const RV w_error =
           hn::Add(hn::Mul(hn::Mul(same(block.edge_error), c_most), load(tile.third_spread)), d_error);
-      const RV t_error = hn::Add(hn::Mul(normal_error, c_most), tiny);
       const RM positive = hn::Gt(least, w_error), negative = hn::Lt(most, hn::Neg(w_error));
       const RM crosses = hn::And(hn::Gt(most, w_error), hn::Lt(least, hn::Neg(w_error)));
+      const std::uint64_t open = bits_of(d, hn::Not(crosses));
+      if ((open & (live >> at)) == 0) continue;
+      const RV t = dot(block.normal, cx, cy, cz);
+      const RV t1 = hn::Sub(t, along);
+      const RV t_error = hn::Add(hn::Mul(normal_error, c_most), tiny);
       const RM ends = hn::And(hn::Gt(hn::Abs(t), t_error), hn::Gt(hn::Abs(t1), hn::Add(t_error, d_error)));
       const RM opposite = hn::Xor(hn::Gt(t, zero), hn::Gt(t1, zero));  // where neither is 0
       bits.certain |=
@@ -121,6 +124,8 @@ HWY_INLINE RayBits rays_on_triangle(const RayTile& tile, const TriangleBlock& bl
       bits.possible |=
           static_cast<std::uint32_t>(bits_of(d, hn::Not(hn::Or(crosses, hn::AndNot(opposite, ends))))) << at;
     } else {
+      const RV t = dot(block.normal, cx, cy, cz);
+      const RV t1 = hn::Sub(t, along);
       const RM crosses = hn::And(hn::Gt(most, zero), hn::Lt(least, zero));
       const RM ends =
           hn::Or(hn::And(hn::Gt(t, zero), hn::Lt(t1, zero)), hn::And(hn::Lt(t, zero), hn::Gt(t1, zero)));

@@ -201,7 +201,7 @@ template <class Tier>
 bool PairWalk<Tier>::test_triangle(ChildLink link, std::uint32_t lane, bool keep_open) {
   const TriangleBlock& block = tree_.triangles[link.block()];
   counts_.tests += kTileRays;
-  const RayBits bits = rays_on_triangle<Tier::kCertified>(tile_, block, lane);
+  const RayBits bits = rays_on_triangle<Tier::kCertified>(tile_, block, lane, live_);
   const std::uint32_t certain = bits.certain & live_;
   if (certain != 0) {
     any_candidate_ = true;
