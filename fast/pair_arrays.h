@@ -19,6 +19,7 @@ struct alignas(32) CornerBlock {
 struct PairArrays {
   HierarchyArrays tree;
   scene::LargeVector<CornerBlock> corners;  ///< one for each of tree.triangles
+  std::uint64_t number;                     ///< no two casters of a process have the same, nor 0
 
   /// Throws as build_hierarchy() does.
   explicit PairArrays(const scene::Scene& scene);

@@ -64,7 +64,7 @@ struct PairScratch::Data {
   std::vector<std::uint32_t> links;  ///< what is left of the tree for the whole pair: bits of ChildLinks
   std::vector<OpenFace> open;
   LeafLane last_blocker;
-  const void* owner = nullptr;  ///< the caster that last_blocker is of
+  std::uint64_t owner = 0;  ///< the number of the caster that last_blocker is of
 };
 
 /// What the kernels see of a caster.

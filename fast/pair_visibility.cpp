@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "fast/pair_visibility.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -64,6 +67,9 @@ std::size_t PairCaster::bytes() const {
 }
 
 PairArrays::PairArrays(const scene::Scene& scene) : tree(build_hierarchy(scene)) {
+  // Not its address, which the next one may have.
+  static std::atomic<std::uint64_t> casters{0};
+  number = ++casters;
   corners.resize(tree.triangles.size());
   for (std::size_t block = 0; block < corners.size(); ++block) {
     for (std::size_t lane = 0; lane < kWidth; ++lane) {
@@ -119,8 +125,8 @@ struct Call {
 PairResult answer_pair(const Call& call, const PairPatch& from, const PairPatch& to, PairScratch& scratch,
                        std::span<ShadowAnswer> answers, PairCounters* counters) {
   PairScratch::Data& data = scratch.data();
-  if (data.owner != &call.arrays) {
-    data.owner = &call.arrays;
+  if (data.owner != call.arrays.number) {
+    data.owner = call.arrays.number;
     data.last_blocker = {};
   }
   PairResult result;
@@ -145,15 +151,39 @@ PairResult answer_pair(const Call& call, const PairPatch& from, const PairPatch&
 
 }  // namespace
 
-void PairCaster::prepare(std::span<const std::array<float, 3>> points, scene::FaceRun own,
-                         PairPatch& patch) const {
-  patch.assign(points, own);
+void PairCaster::set_plane(PairPatch& patch) const {
+  const scene::FaceRun own = patch.own;
   if (!patch.in_domain || !in_domain_ || own.first >= scene_.triangles.size()) return;
   set_own_plane(scene_, patch);
   if (own.count == 0 || convex_run_of_.empty()) return;
   const std::uint32_t run = convex_run_of_[own.first];
   // Leaving the object out must leave out the whole run.
   if (run != 0 && convex_runs_[run].contains(own.first + own.count - 1)) patch.convex = convex_runs_[run];
+}
+
+void PairCaster::prepare(std::span<const std::array<float, 3>> points, scene::FaceRun own,
+                         PairPatch& patch) const {
+  patch.assign(points, own);
+  set_plane(patch);
+}
+
+void PairCaster::prepare(const RayBatch& batch, PairScratch& scratch) const {
+  PairScratch::Data& data = scratch.data();
+  // What planes need of the scene lies anywhere in memory: asked for ahead, it comes while points are copied.
+  const auto in_scene = [&](const scene::FaceRun& own) { return own.first < scene_.triangles.size(); };
+  for (const scene::FaceRun* own : {&batch.own_from, &batch.own_to}) {
+    if (!in_scene(*own)) continue;
+    hwy::Prefetch(&scene_.triangles[own->first]);
+    if (!convex_run_of_.empty()) hwy::Prefetch(&convex_run_of_[own->first]);
+  }
+  data.from.assign(batch.from, batch.own_from);
+  data.to.assign(batch.to, batch.own_to);
+  for (const scene::FaceRun* own : {&batch.own_from, &batch.own_to}) {
+    if (!in_scene(*own)) continue;
+    for (const std::uint32_t corner : scene_.triangles[own->first]) hwy::Prefetch(&scene_.points[corner]);
+  }
+  set_plane(data.from);
+  set_plane(data.to);
 }
 
 PairPatch PairCaster::prepare(std::span<const std::array<float, 3>> points, scene::FaceRun own) const {
@@ -181,23 +211,20 @@ PairResult PairCaster::shadows_exact(const ExactFaces& faces, const PairPatch& f
 
 PairResult PairCaster::shadows_naive(const RayBatch& batch, PairScratch& scratch,
                                      std::span<ShadowAnswer> answers, PairCounters* counters) const {
-  PairScratch::Data& data = scratch.data();
-  prepare(batch.from, batch.own_from, data.from);
-  prepare(batch.to, batch.own_to, data.to);
+  prepare(batch, scratch);
+  const PairScratch::Data& data = scratch.data();
   return shadows_naive(data.from, data.to, scratch, answers, counters);
 }
 PairResult PairCaster::shadows_certified(const RayBatch& batch, PairScratch& scratch,
                                          std::span<ShadowAnswer> answers, PairCounters* counters) const {
-  PairScratch::Data& data = scratch.data();
-  prepare(batch.from, batch.own_from, data.from);
-  prepare(batch.to, batch.own_to, data.to);
+  prepare(batch, scratch);
+  const PairScratch::Data& data = scratch.data();
   return shadows_certified(data.from, data.to, scratch, answers, counters);
 }
 PairResult PairCaster::shadows_exact(const ExactFaces& faces, const RayBatch& batch, PairScratch& scratch,
                                      std::span<ShadowAnswer> answers, PairCounters* counters) const {
-  PairScratch::Data& data = scratch.data();
-  prepare(batch.from, batch.own_from, data.from);
-  prepare(batch.to, batch.own_to, data.to);
+  prepare(batch, scratch);
+  const PairScratch::Data& data = scratch.data();
   return shadows_exact(faces, data.from, data.to, scratch, answers, counters);
 }
 

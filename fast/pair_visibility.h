@@ -128,6 +128,9 @@ class PairCaster {
   [[nodiscard]] bool in_domain() const { return in_domain_; }
 
  private:
+  void prepare(const RayBatch& batch, PairScratch& scratch) const;
+  void set_plane(PairPatch& patch) const;
+
   const scene::Scene& scene_;
   std::unique_ptr<const PairArrays> arrays_;
   std::vector<scene::FaceRun> convex_runs_;   ///< the triangles of convex objects; the first one is of none
