@@ -121,6 +121,9 @@ HWY_INLINE std::uint32_t* push_children(const Bundle& bundle, const WideNode& no
 /// How many links to part a pair's tree into before its tiles go on by themselves.
 inline constexpr std::size_t kSharedLinks = 24;
 
+/// So many links may wait while the next one is asked for ahead.
+inline constexpr std::size_t kMostAhead = 256;
+
 template <class Tier>
 class PairWalk {
  public:
@@ -268,8 +271,10 @@ bool PairWalk<Tier>::test_leaf(ChildLink link, std::uint32_t lanes) {
 template <class Tier>
 void PairWalk<Tier>::run_tile(const Bundle& bundle, std::span<const std::uint32_t> links) {
   if (scratch_.last_blocker.lane != kWidth && try_last_blocker(bundle)) return;
-  // A link is asked for one step before it is followed.
-  std::uint32_t stack[kStackSize];
+  // A link is asked for one step before it is followed. That mixes walks of two subtrees, which may leave
+  // more links waiting than kStackSize; so it is done only as long as few wait. From there on, one subtree is
+  // walked at a time.
+  std::uint32_t stack[kMostAhead + kWidth + kStackSize];
   std::uint32_t* top = stack;
   std::size_t started = 1;
   ChildLink link(links[0]), next;
@@ -296,10 +301,10 @@ void PairWalk<Tier>::run_tile(const Bundle& bundle, std::span<const std::uint32_
     } else {
       return;
     }
-    has_next = top != stack;
+    has_next = top != stack && top <= stack + kMostAhead;
     if (has_next) {
       next = ChildLink(*--top);
-    } else if (started != links.size()) {
+    } else if (top == stack && started != links.size()) {
       next = ChildLink(links[started++]);
       has_next = true;
     }
