@@ -96,6 +96,33 @@ TEST(Radiosity, IsTheSameEachTimeAndHasOtherPairsForOtherSeeds) {
   for (const RadiosityPair& pair : pairs) EXPECT_GT(pair.to.own.count, 0u);
 }
 
+TEST(Radiosity, PointsThatDoNotFaceAreLeftOut) {
+  const scene::Scene scene = screened_floor();
+  const RadiosityPatch floor = patches_of(scene).front(), lamp = light_patches_of(scene).front();
+  const Vector3 from[] = {{0, 0, 0}, {0, 0, 4}, {1, 0, 5}}, to[] = {{0, 0, 4}, {0, 0, 0}, {1, 1, -1}};
+  const RadiosityPair pair = facing_pair(scene, floor, from, lamp, to);
+  EXPECT_EQ(pair.from.points, (std::vector<Vector3>{from[0]}));
+  EXPECT_EQ(pair.to.points, (std::vector<Vector3>{to[0]}));
+}
+
+TEST(Radiosity, StepsBeginWithTheLightsAndGoOnWithTheBrightest) {
+  const scene::Scene scene = screened_floor();
+  const std::vector<RadiosityStep> steps =
+      record_steps(scene, [&](const auto& query) { return is_shadowed(scene, query); }, {3, 2, 0.5});
+  ASSERT_EQ(steps.size(), 3u);
+  EXPECT_TRUE(steps[0].emitter.is_light());
+  ASSERT_EQ(steps[0].pairs.size(), 2u);
+  EXPECT_EQ(steps[0].pairs[0].rays(), 4u * 256);
+  // The screen gets more than the floor, but is a sixteenth of its size; nothing faces either.
+  EXPECT_EQ(steps[1].emitter.area, 64);
+  EXPECT_EQ(steps[2].emitter.area, 4);
+  EXPECT_EQ(steps[1].pairs.size() + steps[2].pairs.size(), 0u);
+  const std::vector<bool>& hidden = steps[0].hidden[0];
+  for (std::size_t i = 0; i < hidden.size(); ++i) {
+    EXPECT_EQ(hidden[i], is_shadowed(scene, steps[0].pairs[0].query(i)));
+  }
+}
+
 TEST(Radiosity, LightsShineWhereTheSceneLies) {
   scene::Scene scene = screened_floor();
   const auto front = [&] { return side_of(light_patches_of(scene).front(), {0, 0, 0}); };

@@ -264,6 +264,7 @@ TEST(Workloads, AreTheSameFromAllCompilers) {
   EXPECT_EQ(of_shadow("light-rays"), 7021727982918559u);
   EXPECT_EQ(of_shadow("emitter"), 7355379240816975032u);
   EXPECT_EQ(of_shadow("hard"), 17068271923859782451u);
+  EXPECT_EQ(of_shadow("radiosity@16"), 9125571029771864089u);
   Fingerprint hard_rays;
   for (const scene::RayQuery& ray : record_rays("hard-rays", scene, {500, 1})) {
     hard_rays.add(ray.origin);
