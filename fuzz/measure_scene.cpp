@@ -133,6 +133,11 @@ class SceneMeasurer {
         note(what + " left out: it knows no balls");
         continue;
       }
+      if (method->radiosity_alone &&
+          std::none_of(options_.workloads.begin(), options_.workloads.end(), is_radiosity)) {
+        if (options_.chosen) note(what + " left out: it answers workloads of radiosity alone");
+        continue;
+      }
       if (method->every_face && !options_.chosen &&
           scene_.face_count() > kMostTests / options_.workload.queries) {
         note(what + " left out: " + std::to_string(scene_.face_count()) +

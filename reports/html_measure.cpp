@@ -8,6 +8,7 @@
 #include <iterator>
 #include <span>
 
+#include "fuzz/workload.h"
 #include "reports/html_panel.h"
 #include "reports/html_text.h"
 
@@ -73,6 +74,16 @@ std::string count_cell(std::uint64_t n, const char* look) {
   return fmt::format("<td class=\"num {}\">{}</td>", n == 0 ? "quiet" : look, thousands(n));
 }
 
+/// The shares of pairs that a method answered without a test of any ray, and its candidates a pair.
+std::string pair_cells(const std::optional<PairShares>& pairs) {
+  if (!pairs || pairs->pairs == 0) return "<td class=\"num\">–</td><td class=\"num\">–</td>";
+  const auto percent = [&](std::uint64_t n) {
+    return 100 * static_cast<double>(n) / static_cast<double>(pairs->pairs);
+  };
+  return fmt::format("<td class=\"num\">{:.0f} % / {:.0f} %</td><td class=\"num\">{:.1f}</td>",
+                     percent(pairs->all), percent(pairs->none), pairs->faces);
+}
+
 std::string row_html(const MeasureRow& row) {
   const auto tests = [](const std::optional<double>& n) {
     return fmt::format("<td class=\"num\">{}</td>", n ? fmt::format("{:.1f}", *n) : "–");
@@ -95,6 +106,7 @@ std::string row_html(const MeasureRow& row) {
   }
   out += count_cell(row.unsound_touching, "warn") + count_cell(row.undecided + row.rejected, "warn") +
          tests(row.boxes) + tests(row.face_tests) + time(row.image) + time(row.shuffled);
+  if (fuzz::is_radiosity(row.workload)) out += time(row.listed) + pair_cells(row.pairs);
   out += fmt::format("<td class=\"num\">{}</td><td class=\"num\">{}</td></tr>\n",
                      row.set_up_seconds ? fmt::format("{:.2g} ms", *row.set_up_seconds * 1e3) : "–",
                      row.bytes > 0 ? thousands((row.bytes + 999) / 1000) + " kB" : "–");
@@ -122,8 +134,13 @@ std::string workload_html(std::span<const MeasureRow> rows) {
   out +=
       "<th scope=\"col\">of all these touching</th><th scope=\"col\">Undecided</th><th "
       "scope=\"col\">Boxes</th><th scope=\"col\">Faces</th><th scope=\"col\">ns, image order</th><th "
-      "scope=\"col\">ns, shuffled</th><th scope=\"col\">Set-up</th><th "
-      "scope=\"col\">Memory</th></tr></thead><tbody>\n";
+      "scope=\"col\">ns, shuffled</th>";
+  if (fuzz::is_radiosity(first.workload)) {
+    out +=
+        "<th scope=\"col\">ns, pairs with candidates</th><th scope=\"col\">Pairs all / none</th><th "
+        "scope=\"col\">Faces a pair</th>";
+  }
+  out += "<th scope=\"col\">Set-up</th><th scope=\"col\">Memory</th></tr></thead><tbody>\n";
   for (const MeasureRow& row : rows) out += row_html(row);
   return out + "</tbody></table></div>\n";
 }
