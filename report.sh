@@ -40,7 +40,7 @@ done
 # Radiosity: the paper's candidate lists next to its Table 1, and batches of rays next to Embree.
 methods=()
 for method in bvh-naive-f32 bvh-certified-f32 bvh-exact shaft-naive-f32 shaft-certified-f32 shaft-exact embree \
-    embree-robust embree-high embree-unfiltered cgal-epick; do
+    embree-robust embree-high embree-pairs embree-unfiltered cgal-epick; do
   if grep -q "^  $method " <<<"$listed"; then methods+=(--method "$method"); fi
 done
 "$gnomon" measure office office-fine "${methods[@]}" --workload radiosity --variant given \

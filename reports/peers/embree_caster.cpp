@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <vector>
 
 #include "reports/peers/embree_scene.h"
 #include "reports/peers/flush_denormals.h"
@@ -69,6 +70,26 @@ class EmbreeCaster : public fuzz::SceneCaster {
     }
   }
 
+  /// Ray by ray, but points are rounded to floats once, and no rule about own faces is asked: all rays face.
+  void pair_shadows(std::span<const fuzz::RadiosityPair> pairs, std::span<Answer> answers) const override {
+    const FlushDenormals flush;
+    Context context = new_context();
+    std::vector<Vector> lights;
+    std::size_t next = 0;
+    for (const fuzz::RadiosityPair& pair : pairs) {
+      lights.clear();
+      for (const auto& light : pair.to.points) lights.push_back(fuzz::to_floats(light));
+      for (std::size_t i = 0; i < pair.from.points.size(); ++i) {
+        const Vector point = fuzz::to_floats(pair.from.points[i]);
+        exclude(context, 0, pair.from.faces[i]);
+        for (const Vector& light : lights) {
+          answers[next++] =
+              static_cast<Answer>(occluded(point, light - point, context) ? Shadow::shadowed : Shadow::lit);
+        }
+      }
+    }
+  }
+
   void first_hits(std::span<const scene::RayQuery> rays, std::span<std::uint32_t> faces) const override {
     const FlushDenormals flush;
     Context context = new_context();
@@ -102,6 +123,10 @@ class EmbreeCaster : public fuzz::SceneCaster {
   bool occluded(const scene::ShadowQuery& query, Context& context) const {
     const Vector point = fuzz::to_floats(query.point), to = fuzz::to_floats(query.light) - point;
     exclude(context, 0, query.own);
+    return occluded(point, to, context);
+  }
+
+  bool occluded(const Vector& point, const Vector& to, Context& context) const {
     RTCRay ray{point[0], point[1], point[2], 0, to[0], to[1], to[2], 0, kBelowOne, ~0U, 0, 0};
     rtcOccluded1(scene_.get(), &context.base, &ray);
     return ray.tfar < 0;

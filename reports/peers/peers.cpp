@@ -49,11 +49,14 @@ const SceneMethod kPeers[] = {
 
 #ifdef GNOMON_HAS_EMBREE
 const SceneMethod kRadiosityPeers[] = {
+    {"embree-pairs", "peer", Promise::none, kAllFloats,
+     "embree, handed pairs: points made ready once, ray by ray", false, true, embree<false, false, 1>, false,
+     true, true},
     {"embree-unfiltered", "peer", Promise::none, kAllFloats,
-     "embree without a filter: own faces are met, too", false, true, embree<false, false, 1, false>, false,
-     true},
-    {"embree-high-unfiltered", "peer", Promise::none, kAllFloats, "embree-high without a filter", false, true,
-     embree<false, true, 1, false>, false, true},
+     "embree-pairs without a filter: own faces are met, too", false, true, embree<false, false, 1, false>,
+     false, true, true},
+    {"embree-high-unfiltered", "peer", Promise::none, kAllFloats, "the same with RTC_BUILD_QUALITY_HIGH",
+     false, true, embree<false, true, 1, false>, false, true, true},
 };
 #endif
 
