@@ -34,6 +34,10 @@ struct FrontPlane {
   [[nodiscard]] bool none_behind(const scene::Box<float>& box) const {
     return value(box.c[(far[0] + 3U) % 6], box.c[(far[1] + 3U) % 6], box.c[(far[2] + 3U) % 6]) >= threshold;
   }
+  /// All points of the box are in front, none on the plane.
+  [[nodiscard]] bool all_in_front(const scene::Box<float>& box) const {
+    return value(box.c[(far[0] + 3U) % 6], box.c[(far[1] + 3U) % 6], box.c[(far[2] + 3U) % 6]) > threshold;
+  }
 };
 
 /// Forms it for boxes within the region, which must be valid; corners must be finite. A plane of corners on a

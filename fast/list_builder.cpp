@@ -82,13 +82,12 @@ void ListBuilder::climb_from_emitter(std::uint32_t own) {
 
 bool ListBuilder::is_outside(const Solid& solid) const {
   for (int axis = 0; axis < 3; ++axis) {
-    if (emitter_.box.hi(axis) <= solid.box.lo(axis) || emitter_.box.lo(axis) >= solid.box.hi(axis))
-      return true;
+    if (emitter_.box.hi(axis) < solid.box.lo(axis) || emitter_.box.lo(axis) > solid.box.hi(axis)) return true;
   }
   for (std::uint32_t t = 0; t < solid.count; ++t) {
     const FrontPlane plane =
         form_front_plane(tree_.triangle(solid.first + t), emitter_.box, options_.arithmetic);
-    if (plane.none_behind(emitter_.box)) return true;
+    if (plane.all_in_front(emitter_.box)) return true;
   }
   return false;
 }
@@ -97,8 +96,9 @@ bool ListBuilder::is_outside(const Solid& solid) const {
 // from the emitter, at a face whose front the emitter's point sees: at an edge or in the plane of a face, at
 // one of the neighbours. That face is not among those that have all of the emitter's box behind them or in
 // their plane. A receiver's point on the body, in front of whose polygon the emitter's points lie, is met by
-// no ray that also meets the body elsewhere. The emitter's box must keep out of the body's inside, or rays
-// might leave through faces that it lies behind.
+// no ray that also meets the body elsewhere. The emitter's box must keep off the body altogether:
+// from its inside, and from a point of its boundary, where the body stands on the emitter, rays leave through
+// faces that the box lies behind, and through no other.
 void ListBuilder::mark_back_faces() {
   for (const Solid& solid : solids_) {
     if (!is_outside(solid)) continue;

@@ -211,6 +211,43 @@ TEST(ListStatistics, WrongAnswersAreCounted) {
   EXPECT_EQ(counts.false_lit, 1u);
 }
 
+/// A box on the emitter, over its sample: every ray leaves through a side that looks away from the emitter.
+TEST(ListStatistics, BackFacesOfABodyOnTheEmitterAreKept) {
+  scene::Scene scene = single_scene(
+      "v\nfrom 9 9 9\nat 0 0 0\nup 0 0 1\nangle 40\nhither 1\nresolution 8 8\nl 0 0 9\nf 1 1 1 1 0 0 0 1\n"
+      "p 4\n-4 -4 0\n4 -4 0\n4 4 0\n-4 4 0\np 4\n-4 -4 4\n-4 4 4\n4 4 4\n4 -4 4\n");
+  const auto first = static_cast<std::uint32_t>(scene.points.size());
+  for (int i = 0; i < 8; ++i) scene.points.push_back({i % 2 - 0.5, i / 2 % 2 - 0.5, i / 4 + 0.0});
+  scene::Object box{"box", scene.triangles.size(), 12, 0, 0, 0, true, true};
+  const std::uint32_t sides[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                     {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  for (const auto& s : sides) {
+    scene.triangles.push_back({first + s[0], first + s[1], first + s[2]});
+    scene.triangles.push_back({first + s[0], first + s[2], first + s[3]});
+  }
+  scene.objects.push_back(box);
+  ASSERT_TRUE(scene::is_valid(scene));
+  const std::vector<RadiosityPatch> patches = patches_of(scene);
+  const Vector3 points[] = {{0, 0, 4}, {1, 2, 4}, {-3, 3, 4}}, samples[] = {{0.25, 0.25, 0}, {3, 3, 0}};
+  RadiosityStep step{patches[0], {facing_pair(scene, patches[1], points, patches[0], samples)}, {{}}};
+  std::size_t blocked = 0;
+  for (std::size_t i = 0; i < step.pairs[0].rays(); ++i) {
+    step.hidden[0].push_back(is_shadowed(scene, step.pairs[0].query(i)));
+    blocked += step.hidden[0].back() ? 1 : 0;
+  }
+  EXPECT_EQ(blocked, 3u);
+  const fast::ItemTree tree(scene, exact::polygons_of(scene));
+  std::vector<std::uint8_t> convex(scene.objects.size(), 0);
+  convex.back() = 1;
+  for (const char* const setup : {"back-faces=on", "back-faces=on,arithmetic=certified"}) {
+    for (const bool tight : {false, true}) {
+      ListRunner runner(scene, tree, {"", ListStart::lists, parse_list_setup(setup), tight}, convex);
+      const ListCounts counts = runner.count(list_steps_of({step}), {});
+      EXPECT_EQ(counts.false_lit + counts.false_shadowed, 0u) << setup;
+    }
+  }
+}
+
 TEST(ListStatistics, ListsOfAScene) {
   const scene::Scene scene = scene::rounded_to_floats(scene::find_scene("office:1").loaded.scene).scene;
   const ListMeasureOptions options{
