@@ -72,7 +72,7 @@ std::string pair_header(const RowResult& row) {
     text += fmt::format("; {:.1f} faces a list", static_cast<double>(row.faces.in_truth) / n);
   }
   if (!row.independent) text += "; queries of one scene, not independent as the intervals take them";
-  text += fmt::format("\n  {:<24}", "method");
+  text += fmt::format("\n  {:<32}", "method");
   if (words.lists_faces) {
     text += fmt::format("{:>10}{:>10}{:>12}{:>10}{:>12}{:>13}{:>13}", "missing", "more", "miss. rate",
                         "more rt.", "faces", "faces miss.", "faces exc.");
@@ -86,7 +86,7 @@ std::string pair_header(const RowResult& row) {
 std::string pair_row(const RowResult& row) {
   const fuzz::PairChances chances = fuzz::chances_of(row);
   const std::uint64_t unsound = row.count(Verdict::unsound), waste = row.count(Verdict::waste);
-  std::string text = fmt::format("  {:<24}", row.method);
+  std::string text = fmt::format("  {:<32}", row.method);
   if (row.words().lists_faces) {
     const double n = static_cast<double>(std::max<std::uint64_t>(row.trials, 1));
     text += fmt::format("{:>10}{:>10}{:>12}{:>10}{:>12.1f}{:>13}{:>13}", unsound, waste,

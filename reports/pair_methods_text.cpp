@@ -18,7 +18,7 @@ template <class Q>
 std::string methods_text() {
   std::string text = fmt::format("{}\n", Q::id);
   for (const typename Q::Method& method : Q::methods()) {
-    text += fmt::format("  {:<19} {:<11}{:<9}{:<16}{}\n", method.name, method.tier, "f32",
+    text += fmt::format("  {:<32} {:<11}{:<9}{:<16}{}\n", method.name, method.tier, "f32",
                         name_of(method.promise), method.summary);
   }
   return text + "\n";
