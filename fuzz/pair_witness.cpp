@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <stdexcept>
 
 #include "fuzz/method_failure.h"
@@ -17,6 +18,9 @@ namespace {
 constexpr double kLargest = std::numeric_limits<float>::max();
 /// Numbers are made simpler while there are at most so many: a pass asks once or more for each pair of them.
 constexpr std::size_t kMostNumbers = 400;
+
+/// Faces are left out while the tries' faces, all together, are at most so many: structures take time.
+constexpr std::uint64_t kMostFacesTried = 4'000'000;
 
 /// A case without the order of a scene: faces may go, and numbers may change.
 template <class Query>
@@ -136,18 +140,29 @@ class PairShrinker {
 
   bool fails(const Case& c) const {
     PairCase<Query> tight;
+    faces_tried_ += c.faces.size();
     if (!tighten(c, tight)) return false;
     const PairJudgement judged = try_pair<Q>(method_, tight.scene, tight.query);
     return judged.answer < kTruths && words_of(Q::id).faults[judged.truth][judged.answer] == fault_;
   }
 
-  /// Leaves out runs of faces, long ones first, until no single face can go.
-  Case without_faces(Case c) const {
+  /// Leaves out runs of faces, long ones first, until no single face can go. Begins with one of the given
+  /// sets of faces, each rising, if the fault shows among them alone.
+  Case without_faces(Case c, std::span<const std::vector<std::uint32_t>> suspects) const {
+    for (const std::vector<std::uint32_t>& few : suspects) {
+      if (few.empty() || few.size() >= c.faces.size()) continue;
+      Case fewer = without(
+          c, [&](std::size_t i) { return !std::binary_search(few.begin(), few.end(), c.faces[i].number); });
+      if (!fails(fewer)) continue;
+      c = std::move(fewer);
+      break;
+    }
     for (std::size_t run = std::max<std::size_t>(c.faces.size() / 2, 1);;
          run = std::max<std::size_t>(run / 2, 1)) {
       bool gone = false;
       for (std::size_t first = 0; first < c.faces.size();) {
-        Case fewer = without(c, first, std::min(c.faces.size(), first + run));
+        if (faces_tried_ > kMostFacesTried) return c;
+        Case fewer = without(c, [&](std::size_t i) { return i >= first && i < first + run; });
         if (fails(fewer)) {
           c = std::move(fewer);
           gone = true;
@@ -177,13 +192,14 @@ class PairShrinker {
   }
 
  private:
-  static Case without(const Case& c, std::size_t first, std::size_t last) {
+  template <class Leaves>
+  static Case without(const Case& c, const Leaves& leaves) {
     Case fewer;
     fewer.numbers.assign(c.numbers.begin(), c.numbers.begin() + kOfQuery);
     std::size_t at = kOfQuery;
     for (std::size_t i = 0; i < c.faces.size(); ++i) {
       const std::size_t size = c.faces[i].is_ball ? 4 : 9;
-      if (i < first || i >= last) {
+      if (!leaves(i)) {
         fewer.faces.push_back(c.faces[i]);
         const auto from = c.numbers.begin() + static_cast<std::ptrdiff_t>(at);
         fewer.numbers.insert(fewer.numbers.end(), from, from + static_cast<std::ptrdiff_t>(size));
@@ -196,7 +212,36 @@ class PairShrinker {
   const typename Q::Method& method_;
   Query query_;
   std::size_t fault_;
+  mutable std::uint64_t faces_tried_ = 0;
 };
+
+/// Sets of faces among which a wrong answer is likely to be one, too: small ones first.
+std::vector<std::vector<std::uint32_t>> suspects_of(const CandidateMethod& method, const scene::Scene& scene,
+                                                    const BoxPair& query) {
+  std::vector<std::uint32_t> truth, reply, wrong, all;
+  CandidateQuestion::refer(scene, query, truth);
+  CandidateQuestion::ask(*method.make(scene), query, reply);
+  std::sort(reply.begin(), reply.end());
+  std::set_symmetric_difference(truth.begin(), truth.end(), reply.begin(), reply.end(),
+                                std::back_inserter(wrong));
+  std::set_union(truth.begin(), truth.end(), reply.begin(), reply.end(), std::back_inserter(all));
+  std::vector<std::vector<std::uint32_t>> suspects;
+  if (!wrong.empty()) suspects.push_back({wrong.front()});
+  suspects.push_back(std::move(wrong));
+  suspects.push_back(std::move(all));
+  return suspects;
+}
+
+std::vector<std::vector<std::uint32_t>> suspects_of(const PairMethod& /*method*/, const scene::Scene& scene,
+                                                    const scene::PatchPair& query) {
+  std::vector<std::uint32_t> own, some;
+  for (std::uint32_t face = 0; face < scene.face_count(); ++face) {
+    const bool is_own = face == query.a.face || face == query.b.face;
+    if (is_own) own.push_back(face);
+    if (is_own || exact::can_block(scene, face, query)) some.push_back(face);
+  }
+  return {std::move(own), std::move(some)};
+}
 
 std::string answer_text(const std::vector<std::uint32_t>& faces) {
   std::string text = "{";
@@ -236,7 +281,7 @@ Witness make_pair_witness(const typename Q::Method& method, const scene::Scene& 
     }());
     throw MethodFailure(std::string(method.name) + " answered otherwise when asked again, alone", {text});
   }
-  const typename Shrinker::Case fewer = shrinker.without_faces(original);
+  const typename Shrinker::Case fewer = shrinker.without_faces(original, suspects_of(method, scene, query));
   PairCase<typename Q::Query> found, small;
   (void)shrinker.tighten(fewer, found);
   (void)shrinker.tighten(shrinker.simpler(fewer), small);
