@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "fuzz/generator.h"
+#include "fuzz/pair_source.h"
 #include "scene/corpus.h"
 #include "tests/cli_run.h"
 #include "tests/report_xml_check.h"
@@ -79,7 +80,11 @@ TEST(CommandLine, ExamplesOfHelpNameWhatThereIs) {
         if (option == "--method" && words >> value) {
           EXPECT_TRUE(methods.contains(value)) << line;
         } else if (option == "--distribution" && words >> value) {
-          EXPECT_NO_THROW((void)fuzz::parse_distribution(value)) << line;
+          if (has(line, "shaft-candidates") || has(line, "patch-pair")) {
+            EXPECT_NO_THROW((void)fuzz::parse_pair_distribution(value)) << line;
+          } else {
+            EXPECT_NO_THROW((void)fuzz::parse_distribution(value)) << line;
+          }
         } else {
           continue;
         }
@@ -97,10 +102,11 @@ TEST(CommandLine, ListSaysWhatThereIs) {
   const json all = json::parse(machine.out);
   std::map<std::string, std::size_t> methods;
   for (const json& question : all.at("questions")) {
-    const json answers = question.at("id") == "shadow"      ? json{"lit", "shadowed", "facing"}
-                         : question.at("id") == "first-hit" ? json{"none", "face"}
-                                                            : json{"outside", "overlap", "inside"};
-    EXPECT_EQ(question.at("answers"), answers);
+    const std::map<std::string, json> answers{
+        {"shaft-box", {"outside", "overlap", "inside"}},   {"shaft-sphere", {"outside", "overlap", "inside"}},
+        {"shaft-candidates", {"same", "more", "missing"}}, {"patch-pair", {"all", "none", "part"}},
+        {"shadow", {"lit", "shadowed", "facing"}},         {"first-hit", {"none", "face"}}};
+    EXPECT_EQ(question.at("answers"), answers.at(question.at("id")));
     for (const json& method : question.at("methods")) {
       ++methods[question.at("id")];
       EXPECT_TRUE(has(text.out, method.at("name"))) << method;
