@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 
 #include "fast/fp_environment.h"
@@ -236,9 +237,9 @@ void add_measure_verb(CLI::App& app, std::function<int()>& run) {
       "--workload radiosity asks pairs of patches with each of --rays, and holds the paper's candidate "
       "lists\n"
       "against its Table 1 on 20 steps of progressive radiosity; without scenes on office and office-fine.\n"
-      "Options of --shaft, defaults first:\n" +
-      fuzz::known_list_options();
-  if (!footer.ends_with('\n')) footer += '\n';
+      "Options of --shaft, defaults in brackets:\n";
+  std::istringstream known(fuzz::known_list_options());
+  for (std::string line; std::getline(known, line);) footer += "  " + line + "\n";
   footer += "Variants:\n";
   for (const fuzz::SceneVariant& variant : fuzz::scene_variants()) {
     footer += "  " + std::string(variant.name) + std::string(14 - variant.name.size(), ' ') +
