@@ -15,6 +15,7 @@
 
 #include "fast/pair_bundle_inl.h"
 #include "fast/pair_rays_inl.h"
+#include "fast/pair_single_inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gnomon::fast {
@@ -22,6 +23,10 @@ namespace HWY_NAMESPACE {
 
 /// How many links to part a pair's tree into before its tiles go on by themselves.
 inline constexpr std::size_t kSharedLinks = 24;
+
+/// A tile that followed so many links goes on ray by ray: its shaft holds much more than a ray meets. In
+/// scenes where shafts pay, tiles follow about 20.
+inline constexpr std::size_t kMostShared = 48;
 
 /// So many links may wait while the next one is asked for ahead.
 inline constexpr std::size_t kMostAhead = 256;
@@ -52,6 +57,7 @@ class PairWalk {
   /// Fills scratch.links; false when nothing can block.
   bool share_walk(const Bundle& bundle);
   void run_tile(const Bundle& bundle, std::span<const std::uint32_t> links);
+  void run_alone(const Bundle& bundle, std::span<const std::uint32_t> links);
   bool test_leaf(ChildLink link, std::uint32_t lanes);
   bool test_triangle(ChildLink link, std::uint32_t lane, bool keep_open = true);
   bool try_last_blocker(const Bundle& bundle);
@@ -181,7 +187,14 @@ void PairWalk<Tier>::run_tile(const Bundle& bundle, std::span<const std::uint32_
   std::size_t started = 1;
   ChildLink link(links[0]), next;
   bool has_next = false;
-  for (;;) {
+  for (std::size_t followed = 0;; ++followed) {
+    if (followed == kMostShared) {
+      *top++ = link.bits();
+      if (has_next) *top++ = next.bits();
+      run_alone(bundle, {stack, top});
+      run_alone(bundle, links.subspan(started));
+      return;
+    }
     if (!link.is_leaf()) {
       ++counts_.nodes;
       top = push_children(bundle, tree_.nodes[link.index()], top);
@@ -211,6 +224,45 @@ void PairWalk<Tier>::run_tile(const Bundle& bundle, std::span<const std::uint32_
       has_next = true;
     }
     if (has_next) fetch(arrays_, next);
+  }
+}
+
+template <class Tier>
+void PairWalk<Tier>::run_alone(const Bundle& bundle, std::span<const std::uint32_t> links) {
+  any_candidate_ |= !links.empty();
+  for (std::uint32_t rays = live_; rays != 0; rays &= rays - 1) {
+    const auto ray = static_cast<std::size_t>(std::countr_zero(rays));
+    Beam beam = beam_of(tile_, ray);
+    beam.template prepare<Tier::kCertified>();
+    const BeamVectors vectors(beam);
+    const auto on_leaf = [&](ChildLink link) {
+      ++counts_.leaves;
+      const bool balls = link.has_balls();
+      const auto& faces = balls ? tree_.balls[link.block()].face : tree_.triangles[link.block()].face;
+      const LeafBits bits = balls
+                                ? segment_balls<Tier::kCertified>(vectors, tree_.balls[link.block()])
+                                : segment_triangles<Tier::kCertified>(vectors, tree_.triangles[link.block()]);
+      std::uint32_t lanes = bits.possible & link.lanes();
+      counts_.tests += link.count();
+      if (lanes == 0) return false;
+      // Naive hits count where the tile would meet the face: so the answer is the same wherever it went on
+      // alone.
+      lanes &= Tier::kCertified ? lanes_outside(skipped_.from, faces) & lanes_outside(skipped_.to, faces)
+                                : candidate_lanes(arrays_, bundle, skipped_, link);
+      if ((bits.certain & lanes) != 0) return true;
+      for (; Tier::kCertified && lanes != 0; lanes &= lanes - 1) {
+        scratch_.open.push_back({faces[static_cast<std::size_t>(std::countr_zero(lanes))], 1u << ray});
+      }
+      return false;
+    };
+    for (const std::uint32_t start : links) {
+      if (!walk_alone(
+              tree_, vectors, ChildLink(start), [&] { ++counts_.nodes; }, on_leaf))
+        continue;
+      shadowed_ |= 1u << ray;
+      live_ &= ~(1u << ray);
+      break;
+    }
   }
 }
 
