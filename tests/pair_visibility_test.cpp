@@ -208,7 +208,7 @@ TEST(PairVisibility, HardScenesAreAnsweredAsTheDefinitionSays) {
 TEST(PairVisibility, RadiosityRaysAreThoseOfTheExactHierarchy) {
   Tally tally;
   std::uint64_t faces_with = 0, faces_without = 0;
-  for (const char* name : {"office", "classroom:2", "gears", "sphereflake:2"}) {
+  for (const char* name : {"office", "classroom:2", "gears", "city:4"}) {
     const scene::Scene scene = scene::rounded_to_floats(scene::find_builtin(name)->make()).scene;
     std::vector<std::uint8_t> convex;
     for (const scene::Object& object : scene.objects) convex.push_back(exact::is_convex(scene, object));
