@@ -24,9 +24,9 @@ namespace HWY_NAMESPACE {
 /// How many links to part a pair's tree into before its tiles go on by themselves.
 inline constexpr std::size_t kSharedLinks = 24;
 
-/// A tile that followed so many links goes on ray by ray: its shaft holds much more than a ray meets. In
-/// scenes where shafts pay, tiles follow about 20.
-inline constexpr std::size_t kMostShared = 48;
+/// A tile whose links followed and faces tested are so many goes on ray by ray: its shaft holds much more
+/// than a ray meets. In scenes where shafts pay, tiles have about 30.
+inline constexpr std::size_t kMostShared = 64;
 
 /// So many links may wait while the next one is asked for ahead.
 inline constexpr std::size_t kMostAhead = 256;
@@ -188,7 +188,7 @@ void PairWalk<Tier>::run_tile(const Bundle& bundle, std::span<const std::uint32_
   ChildLink link(links[0]), next;
   bool has_next = false;
   for (std::size_t followed = 0;; ++followed) {
-    if (followed == kMostShared) {
+    if (followed >= kMostShared) {
       *top++ = link.bits();
       if (has_next) *top++ = next.bits();
       run_alone(bundle, {stack, top});
@@ -204,6 +204,7 @@ void PairWalk<Tier>::run_tile(const Bundle& bundle, std::span<const std::uint32_
       if (lanes != 0) {
         any_candidate_ = true;
         counts_.faces += static_cast<std::uint64_t>(std::popcount(lanes));
+        followed += static_cast<std::size_t>(std::popcount(lanes));
         if (test_leaf(link, lanes)) return;
       }
     }
