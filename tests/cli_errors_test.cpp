@@ -83,7 +83,9 @@ TEST_F(BadInput, OptionsOfFuzz) {
   };
   const auto number = [](const std::string& found) { return ", found \"" + found + "\""; };
   std::vector<BadCall> calls{
-      {{"fuzz", "shaft-cube"}, "expected a question (shaft-box, shaft-sphere), found \"shaft-cube\""},
+      {{"fuzz", "shaft-cube"},
+       "expected a question (shaft-box, shaft-sphere, shaft-slabs, shaft-oriented-box, shaft-ellipsoid, "
+       "shaft-candidates, patch-pair), found \"shaft-cube\""},
       {with({"--method", "naif"}), "expected one of trivial, "},
       {{"fuzz", "shaft-sphere", "--method", "normalised-f32"}, "found \"normalised-f32\""},
       {with({"--distribution", "unifrom"}), "expected one of uniform, "},

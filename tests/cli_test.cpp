@@ -102,10 +102,15 @@ TEST(CommandLine, ListSaysWhatThereIs) {
   const json all = json::parse(machine.out);
   std::map<std::string, std::size_t> methods;
   for (const json& question : all.at("questions")) {
-    const std::map<std::string, json> answers{
-        {"shaft-box", {"outside", "overlap", "inside"}},   {"shaft-sphere", {"outside", "overlap", "inside"}},
-        {"shaft-candidates", {"same", "more", "missing"}}, {"patch-pair", {"all", "none", "part"}},
-        {"shadow", {"lit", "shadowed", "facing"}},         {"first-hit", {"none", "face"}}};
+    const std::map<std::string, json> answers{{"shaft-box", {"outside", "overlap", "inside"}},
+                                              {"shaft-sphere", {"outside", "overlap", "inside"}},
+                                              {"shaft-slabs", {"outside", "overlap", "inside"}},
+                                              {"shaft-oriented-box", {"outside", "overlap", "inside"}},
+                                              {"shaft-ellipsoid", {"outside", "overlap", "inside"}},
+                                              {"shaft-candidates", {"same", "more", "missing"}},
+                                              {"patch-pair", {"all", "none", "part"}},
+                                              {"shadow", {"lit", "shadowed", "facing"}},
+                                              {"first-hit", {"none", "face"}}};
     EXPECT_EQ(question.at("answers"), answers.at(question.at("id")));
     for (const json& method : question.at("methods")) {
       ++methods[question.at("id")];
@@ -117,6 +122,7 @@ TEST(CommandLine, ListSaysWhatThereIs) {
   }
   EXPECT_GE(methods["shaft-box"], 10u);
   EXPECT_GE(methods["shaft-sphere"], 9u);
+  EXPECT_GE(methods["shaft-candidates"], 13u);
   EXPECT_GE(methods["shadow"], 7u);
   EXPECT_EQ(methods["first-hit"], methods["shadow"]);
   EXPECT_GE(all.at("distributions").size(), 11u);
