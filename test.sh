@@ -6,7 +6,7 @@
 #   FUZZ_SECONDS=60 ./test.sh      how long each fuzz target runs
 set -euo pipefail
 cd "$(dirname "$0")"
-fuzz_seconds=${FUZZ_SECONDS:-60}
+fuzz_seconds=${FUZZ_SECONDS:-25}
 
 step() { printf '\n== %s (%d s so far)\n' "$1" "$SECONDS"; }
 
