@@ -2,10 +2,10 @@
 // A tree of boxes while it is built. Internal to fast/item_tree*.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
+#include "fast/box_around.h"
 #include "fast/strict_float.h"
 #include "scene/box.h"
 
@@ -18,16 +18,6 @@ namespace gnomon::fast {
   const double y = static_cast<double>(box.hi(1)) - static_cast<double>(box.lo(1));
   const double z = static_cast<double>(box.hi(2)) - static_cast<double>(box.lo(2));
   return x * y + (y * z + z * x);
-}
-
-/// The least box around both. Exact.
-[[nodiscard]] inline scene::Box<float> box_around(const scene::Box<float>& a, const scene::Box<float>& b) {
-  scene::Box<float> both;
-  for (int axis = 0; axis < 3; ++axis) {
-    both.lo(axis) = std::min(a.lo(axis), b.lo(axis));
-    both.hi(axis) = std::max(a.hi(axis), b.hi(axis));
-  }
-  return both;
 }
 
 /// Nodes with their children as lists. The root is node 0; without nodes there is no tree.

@@ -3,38 +3,21 @@
 
 #include <algorithm>
 #include <ctime>
+#include <limits>
+
+#include "fast/box_around.h"
 
 namespace gnomon::fuzz {
 namespace {
 
-using fast::CandidateList;
-using fast::ListCaster;
+using fast::box_around;
+using fast::box_of;
+using fast::CastRays;
+using fast::RayAnswer;
 using fast::Reference;
-using fast::Segment;
 
 FloatPoint to_float_point(const Vector3& p) {
   return {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
-}
-
-scene::Box<float> box_of(std::span<const FloatPoint> points) {
-  scene::Box<float> box;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    box.c[axis] = box.c[axis + 3] = points.front()[axis];
-    for (const FloatPoint& point : points) {
-      box.c[axis] = std::min(box.c[axis], point[axis]);
-      box.c[axis + 3] = std::max(box.c[axis + 3], point[axis]);
-    }
-  }
-  return box;
-}
-
-scene::Box<float> box_around(const scene::Box<float>& a, const scene::Box<float>& b) {
-  scene::Box<float> box;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    box.c[axis] = std::min(a.c[axis], b.c[axis]);
-    box.c[axis + 3] = std::max(a.c[axis + 3], b.c[axis + 3]);
-  }
-  return box;
 }
 
 Reference reference_of(const PatchSamples& samples) {
@@ -50,38 +33,15 @@ std::vector<FloatPoint> float_points(const PatchSamples& samples) {
   return points;
 }
 
-/// Asks the shadow cache first, and holds answers against the truth.
-struct CountedRays {
-  ListCaster& caster;
-  bool cache;
-  std::vector<std::uint8_t>& uncached;
-  ListCounts& counts;
-  static constexpr bool kCast = true;
-
-  bool take(const Segment& segment, std::uint32_t own_from, std::uint32_t own_to, bool hidden) {
-    ++counts.rays;
-    counts.shadowed += hidden ? 1 : 0;
-    const bool hit = cache && caster.cached_blocks(segment, own_from, own_to);
-    uncached.push_back(hit ? 0 : 1);
-    if (hit && !hidden) ++counts.false_shadowed;
-    return !hit;
-  }
-  void answer(bool blocked, bool hidden) {
-    counts.false_lit += !blocked && hidden ? 1 : 0;
-    counts.false_shadowed += blocked && !hidden ? 1 : 0;
-  }
-};
-
-/// Takes the rays that were uncached.
-template <bool kCastRays>
-struct TimedRays {
-  const std::uint8_t* next;
-  std::uint64_t& blocked_rays;
-  static constexpr bool kCast = kCastRays;
-
-  bool take() { return *next++ != 0; }
-  void answer(bool blocked, bool /*hidden*/) { blocked_rays += blocked ? 1 : 0; }
-};
+/// The spec's options; rays that start elsewhere than at a list of their own have too few for one.
+fast::ListOptions options_of(const ListSpec& spec) {
+  fast::ListOptions options = spec.setup.options;
+  if (spec.start != ListStart::lists) options.min_rays = std::numeric_limits<std::uint32_t>::max();
+  // Then the root is the emitter list.
+  if (spec.start == ListStart::root)
+    options.emitter_list = options.behind_emitter = options.back_faces = false;
+  return options;
+}
 
 double now_ns() {
   timespec now{};
@@ -116,139 +76,67 @@ std::vector<ListStep> list_steps_of(const std::vector<RadiosityStep>& steps) {
 
 ListRunner::ListRunner(const scene::Scene& scene, const fast::ItemTree& tree, const ListSpec& spec,
                        std::span<const std::uint8_t> convex)
-    : tree_(tree), spec_(spec), builder_(tree, scene, spec.setup.options, convex), caster_(tree) {}
+    : tight_boxes_(spec.tight_boxes),
+      shares_lists_(spec.setup.options.super_least > 0),
+      caster_(tree, scene, options_of(spec), convex) {}
 
-ListCounts ListRunner::count(std::span<const ListStep> steps, const OnList& on_list) {
-  ListCounts counts;
-  uncached_.clear();
-  on_list_ = &on_list;
-  caster_.clear_cache();
-  CountedRays rays{caster_, spec_.setup.options.shadow_cache, uncached_, counts};
-  for (const ListStep& step : steps) {
-    counts.pairs += step.pairs.size();
-    run(step, rays);
+void ListRunner::begin(const ListStep& step) {
+  if (shares_lists_) {
+    receivers_.clear();
+    for (const ListPair& pair : step.pairs) {
+      const Reference& receiver = receiver_of(pair);
+      receivers_.push_back({receiver.own, static_cast<std::uint32_t>(pair.from.size()), receiver.box});
+    }
+    caster_.set_receivers(receivers_);
   }
-  on_list_ = nullptr;
-  counts.cast = caster_.counters();
-  counts.cull = builder_.counters();
+  caster_.begin_emitter(tight_boxes_ ? step.tight : step.emitter);
+}
+
+ListCounts ListRunner::count(std::span<const ListStep> steps, const fast::OnList& on_list) {
+  ListCounts counts;
+  std::size_t rays = 0;
+  for (const ListStep& step : steps) {
+    for (const ListPair& pair : step.pairs) rays += pair.points().rays();
+  }
+  answers_.assign(rays, RayAnswer::lit);
+  caster_.clear_cache();
+  caster_.show_lists(on_list);
+  std::span<RayAnswer> rest(answers_);
+  for (const ListStep& step : steps) {
+    begin(step);
+    counts.pairs += step.pairs.size();
+    for (const ListPair& pair : step.pairs) {
+      const std::span<RayAnswer> answers = rest.first(pair.points().rays());
+      rest = rest.subspan(answers.size());
+      caster_.receive(receiver_of(pair), pair.points(), answers);
+      for (std::size_t i = 0; i < answers.size(); ++i) {
+        const bool hidden = (*pair.hidden)[i], blocked = answers[i] != RayAnswer::lit;
+        ++counts.rays;
+        counts.shadowed += hidden ? 1 : 0;
+        counts.false_lit += !blocked && hidden ? 1 : 0;
+        counts.false_shadowed += blocked && !hidden ? 1 : 0;
+      }
+    }
+  }
+  caster_.show_lists({});
+  counts.cast = caster_.cast_counters();
+  counts.cull = caster_.cull_counters();
   return counts;
 }
 
 double ListRunner::time(std::span<const ListStep> steps, bool cast) {
-  TimedRays<true> all{uncached_.data(), blocked_};
-  TimedRays<false> none{uncached_.data(), blocked_};
+  const CastRays which = cast ? CastRays::uncached : CastRays::none;
+  std::span<RayAnswer> rest(answers_);
   const double start = now_ns();
   for (const ListStep& step : steps) {
-    if (cast) {
-      run(step, all);
-    } else {
-      run(step, none);
+    begin(step);
+    for (const ListPair& pair : step.pairs) {
+      const std::size_t rays = pair.points().rays();
+      caster_.receive(receiver_of(pair), pair.points(), rest.first(rays), which);
+      rest = rest.subspan(rays);
     }
   }
   return now_ns() - start;
-}
-
-template <class Rays>
-void ListRunner::run(const ListStep& step, Rays& rays) {
-  builder_.begin_emitter(spec_.tight_boxes ? step.tight : step.emitter);
-  whole_of_ = nullptr;
-  shared_.clear();
-  if (spec_.setup.options.super_least > 0) count_points_below(step);
-  for (const ListPair& pair : step.pairs) run_pair(step, pair, rays);
-}
-
-template <class Rays>
-void ListRunner::run_pair(const ListStep& step, const ListPair& pair, Rays& rays) {
-  const fast::ListOptions& options = spec_.setup.options;
-  const std::uint32_t own_from = tree_.primitive_of(pair.receiver.own.first);
-  const std::uint32_t own_to = tree_.primitive_of(step.emitter.own.first);
-  const std::size_t lights = pair.to.size(), points = pair.from.size();
-  const CandidateList* given = spec_.start == ListStart::root           ? &builder_.root_list()
-                               : spec_.start == ListStart::emitter_list ? &builder_.emitter_list()
-                               : points * lights < options.min_rays     ? &builder_.emitter_list()
-                                                                        : nullptr;
-  const std::size_t group = options.clump == 0 ? points : std::max<std::size_t>(1, options.clump / lights);
-  for (std::size_t first = 0; first < points; first += group) {
-    const std::size_t last = std::min(points, first + group);
-    const CandidateList* list = given;
-    if (list == nullptr && !options.wait_for_miss) list = &list_for(pair, first, last);
-    for (std::size_t i = first; i < last; ++i) {
-      for (std::size_t k = 0; k < lights; ++k) {
-        const bool hidden = (*pair.hidden)[i * lights + k];
-        if constexpr (requires { rays.take(); }) {
-          if (!rays.take()) continue;
-        }
-        const Segment segment(pair.from[i], pair.to[k]);
-        if constexpr (!requires { rays.take(); }) {
-          if (!rays.take(segment, own_from, own_to, hidden)) continue;
-        }
-        if (list == nullptr) list = &list_for(pair, first, last);
-        if constexpr (Rays::kCast) {
-          const ListCaster::Hit hit = caster_.cast(*list, segment, own_from, own_to);
-          if (hit.item != fast::kNoItem) builder_.count_hit(hit.item);
-          rays.answer(hit.primitive != fast::kNoItem, hidden);
-        }
-      }
-    }
-  }
-}
-
-const CandidateList& ListRunner::list_for(const ListPair& pair, std::size_t first, std::size_t last) {
-  const fast::ListOptions& options = spec_.setup.options;
-  if (const CandidateList* const shared = shared_list(pair)) return *shared;
-  const Reference& receiver = spec_.tight_boxes ? pair.tight : pair.receiver;
-  const std::uint64_t rays = (last - first) * pair.to.size();
-  if (last - first == pair.from.size()) {
-    builder_.build(receiver, rays, list_);
-    report(list_, receiver);
-    return list_;
-  }
-  Reference part = receiver;
-  part.box = box_of(std::span(pair.from).subspan(first, last - first));
-  if (options.nested) {
-    if (whole_of_ != &pair) {
-      builder_.build(receiver, pair.from.size() * pair.to.size(), whole_);
-      whole_of_ = &pair;
-    }
-    builder_.build(part, rays, whole_, list_);
-  } else {
-    builder_.build(part, rays, list_);
-  }
-  report(list_, part);
-  return list_;
-}
-
-/// The list of the least volume around the receiver with points enough, if it has not too many.
-const CandidateList* ListRunner::shared_list(const ListPair& pair) {
-  const fast::ListOptions& options = spec_.setup.options;
-  if (options.super_least == 0) return nullptr;
-  std::uint32_t item = tree_.primitive_of(pair.receiver.own.first);
-  while (item != fast::kNoItem && points_below_[item] < options.super_least) item = tree_.parent(item);
-  if (item == fast::kNoItem || points_below_[item] > options.super_most) return nullptr;
-  std::unique_ptr<SharedList>& shared = shared_[item];
-  if (!shared) {
-    shared = std::make_unique<SharedList>();
-    shared->volume.box = box_around(tree_.item(item).box, pair.receiver.box);
-    builder_.build(shared->volume, points_below_[item] * pair.to.size(), shared->list);
-    report(shared->list, shared->volume);
-  }
-  // Points may lie an ulp or so beside their patch, and it beside the volume.
-  return box_around(shared->volume.box, pair.receiver.box) == shared->volume.box ? &shared->list : nullptr;
-}
-
-void ListRunner::count_points_below(const ListStep& step) {
-  points_below_.assign(tree_.size(), 0);
-  for (const ListPair& pair : step.pairs) {
-    const auto points = static_cast<std::uint32_t>(pair.from.size());
-    for (std::uint32_t item = tree_.primitive_of(pair.receiver.own.first); item != fast::kNoItem;
-         item = tree_.parent(item)) {
-      points_below_[item] += points;
-    }
-  }
-}
-
-void ListRunner::report(const CandidateList& list, const Reference& receiver) const {
-  if (on_list_ != nullptr && *on_list_) (*on_list_)(list, builder_.emitter(), receiver);
 }
 
 }  // namespace gnomon::fuzz

@@ -5,10 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include "exact/hierarchy.h"
 #include "exact/polygons.h"
+#include "fast/box_around.h"
 #include "fuzz/generator.h"
 #include "fuzz/list_options_text.h"
 #include "scene/builtin.h"
@@ -20,6 +22,7 @@ namespace {
 using fast::FrontCorners;
 using fast::ItemTree;
 using fast::RadiosityCaster;
+using fast::RayAnswer;
 using fuzz::ListSetup;
 using fuzz::parse_list_setup;
 
@@ -38,13 +41,13 @@ Outcome outcome_of(const Stage& stage, const ListSetup& setup) {
   caster.set_receivers(samples);
   Outcome outcome;
   for (const Patch& emitter : stage.emitters) {
-    caster.begin_emitter(emitter.reference, emitter.points);
+    caster.begin_emitter(emitter.reference);
     for (const Patch& receiver : stage.receivers) {
       if (!sees(emitter, receiver) || !sees(receiver, emitter)) continue;
-      const std::size_t rays = emitter.points.size() * receiver.points.size();
-      outcome.blocked.resize(outcome.blocked.size() + rays);
-      caster.receive(receiver.reference, receiver.points,
-                     {&*(outcome.blocked.end() - static_cast<std::ptrdiff_t>(rays)), rays});
+      const fast::PairPoints points{receiver.points, emitter.points};
+      std::vector<RayAnswer> answers(points.rays());
+      caster.receive(receiver.reference, points, answers);
+      for (const RayAnswer answer : answers) outcome.blocked.push_back(answer != RayAnswer::lit ? 1 : 0);
     }
   }
   outcome.cast = caster.cast_counters();
@@ -269,6 +272,54 @@ TEST(RadiosityCaster, EveryOptionDoesWhatItSays) {
   EXPECT_NE(run("seed=2").cull, standard.cull);
   EXPECT_GT(tests(run("volumes=spheres")), tests(standard));
   EXPECT_EQ(run("").cull, standard.cull);
+}
+
+/// What receive() casts once more, and the lists that it shows.
+TEST(RadiosityCaster, TimesWhatTheCacheDidNotAnswer) {
+  Random random(5);
+  const Stage stage(random, office(), kSanitized ? 10 : 30, 16);
+  const ItemTree tree(stage.scene, stage.polygons);
+  for (const char* const text : {"", "clump=16,nested=on", "wait-for-miss=off,clump=16", "min-rays=65"}) {
+    RadiosityCaster caster(tree, stage.scene, parse_list_setup(text).options, stage.convex);
+    std::uint64_t shown = 0, rays = 0, missed = 0, lists = 0;
+    for (const Patch& emitter : stage.emitters) {
+      caster.begin_emitter(emitter.reference);
+      for (const Patch& receiver : stage.receivers) {
+        if (!sees(emitter, receiver) || !sees(receiver, emitter)) continue;
+        caster.show_lists([&](const fast::CandidateList& list, const Reference& from, const Reference& to) {
+          ++shown;
+          EXPECT_EQ(from.box, emitter.reference.box);
+          EXPECT_EQ(fast::box_around(receiver.reference.box, to.box), receiver.reference.box);
+          EXPECT_NE(list.parent, nullptr);
+        });
+        const fast::PairPoints points{receiver.points, emitter.points};
+        std::vector<RayAnswer> answers(points.rays());
+        const auto casts = [&](fast::CastRays which) {
+          const std::uint64_t lists_before = caster.cull_counters().lists;
+          const fast::CastCounters before = caster.cast_counters();
+          caster.receive(receiver.reference, points, answers, which);
+          const fast::CastCounters after = caster.cast_counters();
+          return std::array{caster.cull_counters().lists - lists_before, after.rays - before.rays,
+                            after.cache_tests - before.cache_tests};
+        };
+        const auto first = casts(fast::CastRays::all);
+        caster.show_lists({});
+        const std::vector<RayAnswer> found = answers;
+        const auto cached =
+            static_cast<std::uint64_t>(std::count(found.begin(), found.end(), RayAnswer::cached));
+        EXPECT_EQ(first[1], answers.size() - cached);
+        EXPECT_EQ(casts(fast::CastRays::uncached), (std::array{first[0], first[1], std::uint64_t{0}}))
+            << text;
+        EXPECT_EQ(casts(fast::CastRays::none), (std::array{first[0], std::uint64_t{0}, std::uint64_t{0}}))
+            << text;
+        EXPECT_EQ(answers, found);
+        lists += first[0], rays += answers.size(), missed += first[1];
+      }
+    }
+    EXPECT_EQ(shown, lists);
+    EXPECT_EQ(lists > 0, std::string(text) != "min-rays=65");
+    EXPECT_TRUE(0 < missed && missed < rays);
+  }
 }
 
 TEST(ListOptionsText, ReadsBackWhatItWrites) {

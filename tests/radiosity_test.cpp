@@ -169,7 +169,7 @@ struct KnownStep {
     RadiosityStep step{lamp, {facing_pair(scene, floor, points, lamp, light)}, {{true, true, false}}};
     steps.push_back(step);
   }
-  ListCounts count(const ListSpec& spec, const OnList& on_list = {}) const {
+  ListCounts count(const ListSpec& spec, const fast::OnList& on_list = {}) const {
     const fast::ItemTree tree(scene, exact::polygons_of(scene));
     ListRunner runner(scene, tree, spec, {});
     const std::vector<ListStep> ready = list_steps_of(steps);
