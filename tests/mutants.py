@@ -39,7 +39,8 @@ class Mutant:
         lines = block.strip("\n").split("\n")
         head = lines[0].split()
         self.id, self.file = head[0], head[1]
-        self.tags = set(head[2:])
+        self.tags = {tag for tag in head[2:] if not tag.startswith("first=")}
+        self.first = next((tag[len("first="):] for tag in head[2:] if tag.startswith("first=")), None)
         self.before = self.after = self.why = ""
         for line in lines[1:]:
             mark, text = line[:2], line[2:]
@@ -120,11 +121,15 @@ def run(mutant, link, tests_of, show=False):
         if linked.returncode != 0:
             return mutant, "does not link: " + (linked.stderr.splitlines() or ["?"])[-1], time.time() - started
         environment = dict(os.environ, GTEST_FAIL_FAST="1", GTEST_BRIEF="1")
-        try:
-            tests = subprocess.run([str(work / "mutant"), f"--gtest_filter={tests_of}"], env=environment, cwd=folder,
-                                   capture_output=not show, text=True, timeout=SECONDS)
-        except subprocess.TimeoutExpired:
-            return mutant, "killed (over time)", time.time() - started
+        # The tests that are known to notice go first; the others are asked when these do not.
+        for chosen in ([mutant.first] if mutant.first else []) + [tests_of]:
+            try:
+                tests = subprocess.run([str(work / "mutant"), f"--gtest_filter={chosen}"], env=environment, cwd=folder,
+                                       capture_output=not show, text=True, timeout=SECONDS)
+            except subprocess.TimeoutExpired:
+                return mutant, "killed (over time)", time.time() - started
+            if tests.returncode != 0:
+                break
         if tests.returncode == 0:
             return mutant, "SURVIVED", time.time() - started
         found = re.findall(r"\[  FAILED  \] (\S+)", tests.stdout or "")
