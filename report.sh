@@ -24,6 +24,16 @@ status=0
 # Renderers ask each shaft about many boxes: the batch rows beside the others, with set-up shared.
 "$gnomon" fuzz shaft-box --trials "$trials" --seed 2 --out build/report --distribution uniform@64 \
     --distribution offset@64 --distribution integer-grid@64 --distribution near-touch@64 | tail -n 1 || status=$?
+# Other bounding volumes against shafts; lists of candidates and pairs of patches, in small scenes and in the office.
+few=$((trials / 20 > 0 ? trials / 20 : 1))
+for question in shaft-slabs shaft-oriented-box shaft-ellipsoid; do
+  "$gnomon" fuzz "$question" --trials "$few" --out build/report --distribution uniform --distribution integer-grid \
+      --distribution near-touch | tail -n 1 || status=$?
+done
+for question in shaft-candidates patch-pair; do
+  "$gnomon" fuzz "$question" --trials "$few" --out build/report --distribution integer-grid \
+      --distribution near-touch --distribution scene:office | tail -n 1 || status=$?
+done
 
 # Shadows and first hits in scenes of two thousand to ninety thousand faces, and what the scenes look like.
 # cgal-epick leaves out scenes with balls; the method that looks at every face would take most of the time.

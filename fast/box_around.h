@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <span>
 
+#include "fast/strict_float.h"
 #include "scene/box.h"
 
 namespace gnomon::fast {
