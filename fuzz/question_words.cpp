@@ -24,6 +24,9 @@ constexpr std::array<std::string_view, kFaults> kShaftFaultNames{
 constexpr QuestionWords kQuestions[] = {
     {"shaft-box", kShaftAnswers, kShaftAnswers, kShaftVerdicts, kShaftFaults, kShaftFaultNames},
     {"shaft-sphere", kShaftAnswers, kShaftAnswers, kShaftVerdicts, kShaftFaults, kShaftFaultNames},
+    {"shaft-slabs", kShaftAnswers, kShaftAnswers, kShaftVerdicts, kShaftFaults, kShaftFaultNames},
+    {"shaft-oriented-box", kShaftAnswers, kShaftAnswers, kShaftVerdicts, kShaftFaults, kShaftFaultNames},
+    {"shaft-ellipsoid", kShaftAnswers, kShaftAnswers, kShaftVerdicts, kShaftFaults, kShaftFaultNames},
     // Is the true list empty, or has it some faces? A list may be the same set, a larger one, or lack a face.
     {"shaft-candidates",
      {"empty", "some", ""},

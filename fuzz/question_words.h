@@ -30,7 +30,7 @@ struct QuestionWords {
   [[nodiscard]] std::string_view answer_name(Answer answer) const;
 };
 
-/// The questions that campaigns ask: shaft-box, shaft-sphere, shaft-candidates, patch-pair.
+/// The questions that campaigns ask: those about a shaft and one volume, then those about pairs.
 [[nodiscard]] std::span<const QuestionWords> campaign_questions();
 
 /// The words of a question; null when no campaign asks it.

@@ -300,6 +300,20 @@ TEST_F(Merge, RefusesWhatIsNoResultFile) {
   }
 }
 
+TEST_F(Merge, KeepsAWitnessOfEveryFaultOfEveryQuestion) {
+  for (const std::string question :
+       {"shaft-sphere", "shaft-slabs", "shaft-oriented-box", "shaft-ellipsoid"}) {
+    const std::string fuzz = "fuzz " + question + " --trials 1100 --distribution offset --scalar f32 ";
+    ASSERT_EQ(gnomon(fuzz + "--json " + path("whole.json").string()).status, 0);
+    ASSERT_EQ(gnomon(fuzz + "--shard 1/2 --json " + path("a.json").string()).status, 0);
+    ASSERT_EQ(gnomon(fuzz + "--shard 2/2 --json " + path("b.json").string()).status, 0);
+    ASSERT_TRUE(has(read(path("whole.json")), "\"false keep\"")) << question;
+    ASSERT_TRUE(has(read(path("whole.json")), "\"missed inside\"")) << question;
+    const MergedResult merged = merge_results({path("b.json"), path("a.json")});
+    EXPECT_EQ(said(merged.json), said(read(path("whole.json")))) << question;
+  }
+}
+
 TEST_F(Merge, CommandLine) {
   const std::string fuzz = "fuzz shaft-box --trials 3000 --distribution near-touch --witnesses 2 ";
   ASSERT_EQ(gnomon(fuzz + "--json " + path("whole.json").string()).status, 0);
