@@ -126,11 +126,14 @@ std::string lists_html(std::span<const ListFigures> rows) {
          out;
 }
 
-std::string ratios_html(std::span<const MeasureRow> rows) {
+std::string ratios_html(std::span<const MeasureFile> files) {
   std::vector<RadiosityTime> times;
-  for (const MeasureRow& row : rows) {
-    if (!fuzz::is_radiosity(row.workload) || !row.image) continue;
-    times.push_back({row.scene + "\n" + row.variant + "\n" + row.workload, row.method, row.image->median});
+  for (const MeasureFile& file : files) {
+    for (const MeasureRow& row : file.rows) {
+      if (!fuzz::is_radiosity(row.workload) || !row.image) continue;
+      times.push_back({file.path.string() + "\n" + row.scene + "\n" + row.variant + "\n" + row.workload,
+                       row.method, row.image->median});
+    }
   }
   constexpr const char* kTitles[] = {"Method", "Geometric mean", "Least", "Most", "of"};
   std::string body;
@@ -150,8 +153,8 @@ std::string ratios_html(std::span<const MeasureRow> rows) {
 }  // namespace
 
 std::string radiosity_section(std::span<const MeasureFile> files) {
-  std::string out;
-  for (const MeasureFile& file : files) out += ratios_html(file.rows) + lists_html(file.lists);
+  std::string out = ratios_html(files);
+  for (const MeasureFile& file : files) out += lists_html(file.lists);
   if (out.empty()) return out;
   return "<section id=\"radiosity\"><h2>Radiosity</h2>\n" + out + "</section>\n";
 }

@@ -32,6 +32,11 @@ std::string share_cell(const Share& share, const char* look) {
   return number_cell(key, text, share.k == 0 ? "num quiet" : look);
 }
 
+/// For what the row doesn't tell; rows of questions about pairs know no touching and no threshold.
+std::string unknown_cell() {
+  return number_cell(-1, "–", "num quiet");
+}
+
 std::string touching_cell(const ResultRow& row) {
   std::uint64_t all = 0;
   std::string parts;
@@ -45,7 +50,7 @@ std::string touching_cell(const ResultRow& row) {
 }
 
 std::string gap_cell(const ResultRow& row) {
-  if (!row.worst_gap) return number_cell(-1, "–", "num quiet");
+  if (!row.worst_gap) return unknown_cell();
   if (!row.worst_gap->ulps)
     return number_cell(std::numeric_limits<double>::max(), ulps_text({}), "num quiet");
   const double ulps = std::abs(*row.worst_gap->ulps);
@@ -68,9 +73,12 @@ std::string row_html(const ResultRow& row, const std::string& file, bool several
   out += share_cell(s.culls, "num bad") + share_cell(s.insides, "num bad") + share_cell(s.wasted, "num warn");
   out += number_cell(row.ns.value_or(-1), time_text(row.ns));
   out += number_cell(row.reference_ns.value_or(-1), time_text(row.reference_ns));
-  out += gap_cell(row) + count_cell(row.trials) + touching_cell(row);
-  out += count_cell(row.unsound_touching) + count_cell(row.undecided) + count_cell(row.rejected);
-  out += count_cell(row.threshold_exceeded) + fmt::format("<td>{}</td>", escaped(row.scalar));
+  const bool tells = row.knows_twin;
+  out += gap_cell(row) + count_cell(row.trials) + (tells ? touching_cell(row) : unknown_cell());
+  out += tells ? count_cell(row.unsound_touching) : unknown_cell();
+  out += count_cell(row.undecided) + count_cell(row.rejected);
+  out += (tells ? count_cell(row.threshold_exceeded) : unknown_cell()) +
+         fmt::format("<td>{}</td>", escaped(row.scalar));
   if (several_files) out += fmt::format("<td>{}</td>", escaped(file));
   return out + "</tr>\n";
 }

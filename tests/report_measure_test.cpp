@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/html_measure.h"
+#include "reports/html_radiosity.h"
 #include "scene/input_error.h"
 #include "tests/cli_run.h"
 #include "tests/shadow_scenes.h"
@@ -128,6 +129,44 @@ TEST(MeasuredScenes, AreTextAndNothingElse) {
   folder.write("m.json", named.dump());
   EXPECT_EQ(count(section_of(folder.path()), "<script>"), 0u);
   EXPECT_EQ(count(reports::measure_verdict(reports::read_measure_files(folder.path())), "<script>"), 0u);
+}
+
+TEST(MeasuredRadiosity, HasOneTableOfBatchesForAllFilesThatKeepsTheirPlacesApart) {
+  const auto row_of = [](const char* method, double ns) {
+    reports::MeasureRow row;
+    row.scene = "office", row.variant = "given", row.workload = "radiosity@16";
+    row.method = method, row.image = reports::TimeSpread{ns, ns, ns};
+    return row;
+  };
+  const std::vector<reports::MeasureFile> files{{"a.json", {row_of("embree", 100), row_of("mine", 25)}, {}},
+                                                {"b.json", {row_of("embree", 10), row_of("mine", 10)}, {}}};
+  const std::string html = reports::radiosity_section(files);
+  EXPECT_EQ(count(html, "<h3>Batches of rays</h3>"), 1u);
+  EXPECT_EQ(count(html,
+                  "mine</th><td class=\"num\">0.50</td><td class=\"num\">0.25</td>"
+                  "<td class=\"num\">1.00</td><td class=\"num\">2</td>"),
+            1u)
+      << html;
+}
+
+TEST(MeasuredRadiosity, TellsNoSpeedUpOfRowsThatWereNotAskedAtTheHighRate) {
+  reports::ListRate rate;
+  rate.rays = 100, rate.shadowed = 50, rate.uncached = 60, rate.boxes = 600;
+  rate.ray = fuzz::Spread{20, 10, 30};
+  const std::vector<reports::ListRate> low{rate}, both{rate, rate};
+  const auto figures = [&](const std::vector<reports::ListRate>& cache,
+                           const std::vector<reports::ListRate>& base) {
+    const std::vector<reports::ListFigures> rows{{"office", "table1", "baseline", "", base},
+                                                 {"office", "table1", "ratio open 0.4", "", both},
+                                                 {"office", "text", "shadow cache alone", "", cache}};
+    std::string all;
+    for (const reports::TextFigure& figure : reports::text_figures(rows, "office")) all += figure.what + "\n";
+    return all;
+  };
+  EXPECT_EQ(count(figures(both, both), "speed-up"), 2u);
+  EXPECT_EQ(count(figures(low, both), "total speed-up"), 0u);
+  EXPECT_EQ(count(figures(low, both), "speed-up"), 1u);
+  EXPECT_EQ(count(figures(low, low), "speed-up"), 0u);
 }
 
 }  // namespace
