@@ -2,10 +2,10 @@
 #include "fuzz/list_runner.h"
 
 #include <algorithm>
-#include <ctime>
 #include <limits>
 
 #include "fast/box_around.h"
+#include "fuzz/thread_time.h"
 
 namespace gnomon::fuzz {
 namespace {
@@ -41,12 +41,6 @@ fast::ListOptions options_of(const ListSpec& spec) {
   if (spec.start == ListStart::root)
     options.emitter_list = options.behind_emitter = options.back_faces = false;
   return options;
-}
-
-double now_ns() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) * 1e9 + static_cast<double>(now.tv_nsec);
 }
 
 }  // namespace
@@ -127,7 +121,7 @@ ListCounts ListRunner::count(std::span<const ListStep> steps, const fast::OnList
 double ListRunner::time(std::span<const ListStep> steps, bool cast) {
   const CastRays which = cast ? CastRays::uncached : CastRays::none;
   std::span<RayAnswer> rest(answers_);
-  const double start = now_ns();
+  const double start = thread_ns();
   for (const ListStep& step : steps) {
     begin(step);
     for (const ListPair& pair : step.pairs) {
@@ -136,7 +130,7 @@ double ListRunner::time(std::span<const ListStep> steps, bool cast) {
       rest = rest.subspan(rays);
     }
   }
-  return now_ns() - start;
+  return thread_ns() - start;
 }
 
 }  // namespace gnomon::fuzz

@@ -83,7 +83,7 @@ struct ListRow {
 struct ListMeasureOptions {
   std::vector<ListSpec> own;        ///< more rows
   unsigned rounds = 3;              ///< timed
-  std::size_t checked_lists = 200;  ///< a row and rate, at most, evenly chosen
+  std::size_t checked_lists = 200;  ///< a row and rate, about, evenly chosen; pairs with several lists: more
   std::size_t steps = 20;           ///< of progressive radiosity: the paper's
 };
 

@@ -10,6 +10,7 @@
 #include "exact/hierarchy.h"
 #include "exact/shaft_candidates.h"
 #include "fuzz/lights.h"
+#include "fuzz/thread_time.h"
 #include "scene/single.h"
 
 namespace gnomon::fuzz {
@@ -61,13 +62,6 @@ std::pair<Rays, std::vector<std::uint32_t>> shuffled(const Rays& rays) {
   return {std::move(mixed), std::move(order)};
 }
 
-/// The processor time of this thread: what other programs take does not count.
-double now_ns() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) * 1e9 + static_cast<double>(now.tv_nsec);
-}
-
 /// A method that is ready, with its answers and times for the workload at hand.
 struct Contender {
   const SceneMethod* method;
@@ -88,9 +82,9 @@ struct Contender {
   template <class List>
   double ask(const List& queries) {
     answers.resize(queries.size());
-    const double start = now_ns();
+    const double start = thread_ns();
     answer(queries);
-    return (now_ns() - start) / static_cast<double>(queries.size());
+    return (thread_ns() - start) / static_cast<double>(queries.size());
   }
 };
 

@@ -23,9 +23,10 @@ namespace gnomon::reports {
 namespace {
 
 constexpr int kBroken = 1;
-/// What is measured where no scene is named: a room, balls, a fractal, a park; minutes in all.
-/// Where radiosity alone is asked: the paper's office in both its meshings.
+/// What is measured where no scene is named and radiosity alone is asked: the paper's office in both its
+/// meshings.
 constexpr const char* kRadiosityScenes[] = {"office", "office-fine"};
+/// Where no scene is named else: a room, balls, a fractal, a park; minutes in all.
 constexpr const char* kDefaultScenes[] = {"living-room", "sphereflake:3", "tetra:5", "gazebo"};
 
 struct MeasureArguments {
@@ -126,6 +127,11 @@ int run_measure(MeasureArguments arguments) {
     if (given && !radiosity) {
       throw std::runtime_error(std::string(option) + ": expected --workload radiosity beside it, found none");
     }
+  }
+  if (!arguments.shafts.empty() && !arguments.variants.empty() &&
+      std::find(arguments.variants.begin(), arguments.variants.end(), "given") == arguments.variants.end()) {
+    throw std::runtime_error("--shaft: expected the variant given, whose lists are made, found " +
+                             arguments.variants.front());
   }
   if (arguments.rays.empty()) arguments.rays = {16, 64, 400};
   for (auto* const words : {&arguments.scenes, &arguments.workloads, &arguments.variants}) {
@@ -236,7 +242,9 @@ void add_measure_verb(CLI::App& app, std::function<int()>& run) {
   footer +=
       "--workload radiosity asks pairs of patches with each of --rays, and holds the paper's candidate "
       "lists\n"
-      "against its Table 1 on 20 steps of progressive radiosity; without scenes on office and office-fine.\n"
+      "against its Table 1 on 20 steps of progressive radiosity, in scenes as given; without scenes on "
+      "office\n"
+      "and office-fine.\n"
       "Options of --shaft, defaults in brackets:\n";
   std::istringstream known(fuzz::known_list_options());
   for (std::string line; std::getline(known, line);) footer += "  " + line + "\n";

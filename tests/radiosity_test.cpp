@@ -395,6 +395,7 @@ TEST(CommandLineRadiosity, RefusesWhatItDoesNotKnow) {
         {"--workload", "radiosity@5"},
         {"--shaft", "ratio=0.5"},
         {"--workload", "radiosity", "--shaft", "ratio=2"},
+        {"--workload", "radiosity", "--shaft", "ratio=0.5", "--variant", "moved"},
         {"--workload", "radiosity", "--shaft", "colour=on"}}) {
     std::vector<std::string> words{"measure", "office"};
     words.insert(words.end(), bad.begin(), bad.end());
