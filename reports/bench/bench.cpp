@@ -22,6 +22,7 @@
 #include <cstring>
 #include <initializer_list>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <type_traits>
 #include <variant>
@@ -322,32 +323,9 @@ int shadow_truth(int argc, char** argv) {
 }
 
 int pairs(int argc, char** argv) {
-  PairBenchOptions options;
-  for (int i = 2; i < argc; ++i) {
-    const std::string word = argv[i];
-    if (!word.starts_with("--")) {
-      options.scenes.push_back(word);
-      continue;
-    }
-    if (i + 1 == argc) return usage();
-    const char* value = argv[++i];
-    if (word == "--rays") {
-      options.rays.clear();
-      for (char* end = nullptr;; value = end + 1) {
-        options.rays.push_back(std::strtoull(value, &end, 10));
-        if (end == value || options.rays.back() == 0 || (*end != ',' && *end != 0)) return usage();
-        if (*end == 0) break;
-      }
-    } else if (word == "--rounds") {
-      options.rounds = std::atoi(value);
-    } else if (word == "--queries") {
-      options.queries = static_cast<std::size_t>(std::atoll(value));
-    } else {
-      return usage();
-    }
-  }
-  if (options.rounds < 1 || options.queries < 1) return usage();
-  print_pairs(options);
+  const std::optional<PairBenchOptions> options = parse_pairs(argc, argv);
+  if (!options) return usage();
+  print_pairs(*options);
   return 0;
 }
 

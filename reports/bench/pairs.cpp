@@ -3,8 +3,11 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
 #include <numeric>
 
@@ -69,10 +72,25 @@ void for_each_batch(const Workload& work, std::vector<ShadowAnswer>& answers, co
   benchmark::ClobberMemory();
 }
 
-/// The ratios of single rays to the exact tier: Embree's fastest and our hierarchy.
+/// The ratios of single rays to the exact tier: Embree's fastest and our hierarchy. 0: not measured.
 struct Ratios {
-  double embree = std::numeric_limits<double>::infinity(), hierarchy = 0;
+  double embree = 0, hierarchy = 0;
 };
+
+/// The geometric mean over the rows that were measured; "-" where there are none.
+std::string mean_text(const std::vector<Ratios>& rows, double Ratios::*which) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (const Ratios& row : rows) {
+    if (!(row.*which > 0)) continue;
+    sum += std::log(row.*which);
+    ++count;
+  }
+  if (count == 0) return "-";
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.2f", std::exp(sum / static_cast<double>(count)));
+  return text.data();
+}
 
 Ratios print_row(const std::string& title, const Workload& work, const Casters& casters, int rounds) {
   const std::size_t rays = work.queries.size();
@@ -140,14 +158,49 @@ Ratios print_row(const std::string& title, const Workload& work, const Casters& 
                 time.value * 1e9 / static_cast<double>(rays), ratio.value, ratio.low, ratio.high);
     if (contenders[i].name == "hierarchy exact") ratios.hierarchy = ratio.value;
     if (contenders[i].name.starts_with("embree") && !contenders[i].name.ends_with("16")) {
-      ratios.embree = std::min(ratios.embree, ratio.value);
+      ratios.embree = ratios.embree > 0 ? std::min(ratios.embree, ratio.value) : ratio.value;
     }
   }
   std::fflush(stdout);
   return ratios;
 }
 
+bool is_square(std::size_t n) {
+  const auto side = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(n))));
+  return n > 0 && side * side == n;
+}
+
 }  // namespace
+
+std::optional<PairBenchOptions> parse_pairs(int argc, char** argv) {
+  PairBenchOptions options;
+  for (int i = 2; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (!word.starts_with("--")) {
+      options.scenes.push_back(word);
+      continue;
+    }
+    if (i + 1 == argc) return std::nullopt;
+    const char* value = argv[++i];
+    if (word == "--rays") {
+      options.rays.clear();
+      for (char* end = nullptr;; value = end + 1) {
+        const std::size_t rays = std::strtoull(value, &end, 10);
+        if (end == value || !is_square(rays) || (*end != ',' && *end != 0)) return std::nullopt;
+        options.rays.push_back(rays);
+        if (*end == 0) break;
+      }
+    } else if (word == "--rounds") {
+      options.rounds = std::atoi(value);
+    } else if (word == "--queries") {
+      options.queries = static_cast<std::size_t>(std::max(std::atoll(value), 0LL));
+    } else {
+      return std::nullopt;
+    }
+  }
+  if (options.rounds < 1 || options.queries < 1) return std::nullopt;
+  return options;
+}
 
 void print_pairs(const PairBenchOptions& options) {
   std::printf("%s, %d paired rounds; [95 %% interval of the median]\n", fast::hierarchy_instruction_set(),
@@ -187,16 +240,11 @@ void print_pairs(const PairBenchOptions& options) {
       busy.push_back(print_row(title + ", list not empty", listed, casters, options.rounds));
     }
   }
-  const auto mean = [](const std::vector<Ratios>& rows, double Ratios::*which) {
-    double sum = 0;
-    for (const Ratios& row : rows) sum += std::log(row.*which);
-    return std::exp(sum / static_cast<double>(rows.size()));
-  };
   std::printf(
-      "geometric means: Embree's best single ray / pair exact %.2f, list not empty %.2f; hierarchy "
-      "exact / pair exact %.2f, list not empty %.2f\n",
-      mean(all, &Ratios::embree), mean(busy, &Ratios::embree), mean(all, &Ratios::hierarchy),
-      mean(busy, &Ratios::hierarchy));
+      "geometric means: Embree's best single ray / pair exact %s, list not empty %s; hierarchy "
+      "exact / pair exact %s, list not empty %s\n",
+      mean_text(all, &Ratios::embree).c_str(), mean_text(busy, &Ratios::embree).c_str(),
+      mean_text(all, &Ratios::hierarchy).c_str(), mean_text(busy, &Ratios::hierarchy).c_str());
 }
 
 }  // namespace gnomon::bench
