@@ -119,6 +119,9 @@ fuzz::CampaignResult run_question(const FuzzArguments& arguments, const fuzz::On
   }
   std::optional<fuzz::CampaignResult> of_volume;
   fuzz::for_volume_question(arguments.question, [&](auto question) {
+    if (!arguments.plugins.libraries.empty()) {
+      throw fuzz::UsageError("--plugin: " + arguments.question + " is no question that plug-ins answer");
+    }
     of_volume = fuzz::run_campaign<decltype(question)>(arguments.options, on_progress, on_batch);
   });
   if (of_volume) return *std::move(of_volume);

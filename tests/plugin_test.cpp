@@ -197,6 +197,12 @@ TEST(Plugin, IsNamedInTheCommandAndTheList) {
       run_gnomon({"fuzz", "shaft-box", "--plugin", example("planes"), "--method", "planes:none"});
   EXPECT_EQ(unknown.status, 2);
   EXPECT_NE(unknown.err.find("planes:normalised"), std::string::npos) << unknown.err;
+  for (const char* const question : {"shaft-slabs", "shaft-ellipsoid", "patch-pair"}) {
+    const Outcome other = run_gnomon({"fuzz", question, "--plugin", example("planes"), "--trials", "10"});
+    EXPECT_EQ(other.status, 2) << question;
+    EXPECT_EQ(other.err,
+              "gnomon: --plugin: " + std::string(question) + " is no question that plug-ins answer\n");
+  }
   const Outcome twice = run_gnomon({"list", "--plugin", example("planes"), "--plugin", example("planes")});
   EXPECT_EQ(twice.status, 2);
   EXPECT_EQ(lines_of(twice.err).size(), 1u) << twice.err;
