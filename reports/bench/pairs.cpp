@@ -121,8 +121,8 @@ Ratios print_row(const std::string& title, const Workload& work, const Casters& 
          casters.hierarchy.shadows_exact(kExactFaces, work.queries, single);
          benchmark::ClobberMemory();
        }}};
-  for (const auto& [name, caster] : casters.embree) {
-    contenders.push_back({name, [&](int) {
+  for (const auto& named : casters.embree) {
+    contenders.push_back({named.first, [&work, &blocked, caster = named.second.get()](int) {
                             caster->run(work.segments, blocked);
                             benchmark::ClobberMemory();
                           }});
