@@ -47,10 +47,10 @@ std::string direction_of(double ours, double printed) {
 }  // namespace
 
 double ListRate::tests() const {
-  return over(real(boxes + objects), real(uncached));
+  return over(real(boxes) + real(objects), real(uncached));
 }
 double ListRate::all_tests() const {
-  return real(boxes + objects + cache_tests);
+  return real(boxes) + real(objects) + real(cache_tests);
 }
 double ListRate::rays_a_shaft() const {
   return over(real(uncached), real(shafts));

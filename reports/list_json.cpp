@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reports/list_json.h"
 
+#include <array>
+#include <set>
+#include <string>
+
 #include "reports/json_node.h"
 
 namespace gnomon::reports {
@@ -57,8 +61,9 @@ Ordered head(const ListFigures& row) {
 ListRate read_rate(const Node& node) {
   ListRate rate;
   for (const Field& field : kFields) rate.*field.count = node.at(field.name).count();
-  if (rate.shadowed > rate.rays || rate.uncached > rate.rays || rate.wrong() > rate.rays) {
-    node.fail("at most as many shadowed, uncached and wrong as rays");
+  for (const std::uint64_t some :
+       {rate.shadowed, rate.uncached, rate.cache_hits, rate.false_lit, rate.false_shadowed, rate.wrong()}) {
+    if (some > rate.rays) node.fail("at most as many shadowed, uncached, cache_hits and wrong as rays");
   }
   if (rate.lacking > rate.checked || rate.excess_faces > rate.checked_faces) {
     node.fail("at most as many lacking and excess_faces as checked and checked_faces");
@@ -100,6 +105,7 @@ Ordered list_times_json(std::span<const ListFigures> rows) {
 
 std::vector<ListFigures> read_lists(const Node& top) {
   std::vector<ListFigures> rows;
+  std::set<std::array<std::string, 3>> seen;
   if (!top.has("lists")) return rows;
   for (const Node& node : top.at("lists").list()) {
     ListFigures row{node.at("scene").text(),
@@ -107,6 +113,7 @@ std::vector<ListFigures> read_lists(const Node& top) {
                     node.at("row").text(),
                     node.at("options").text(),
                     {}};
+    if (!seen.insert({row.scene, row.table, row.name}).second) node.fail("each row once");
     row.rates.push_back(read_rate(node.at("low")));
     if (node.has("high")) row.rates.push_back(read_rate(node.at("high")));
     rows.push_back(std::move(row));

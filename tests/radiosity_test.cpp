@@ -317,7 +317,12 @@ TEST(ListFigures, AreReadBackAsTheyWereWritten) {
   EXPECT_EQ(lists_json(read), lists_json(rows));
   EXPECT_EQ(list_times_json(read), list_times_json(rows));
   EXPECT_EQ(lists_text(read), lists_text(rows));
-  json["lists"][0]["low"]["uncached"] = 1001;  // more than rays
+  for (const char* const name : {"uncached", "cache_hits", "false_lit"}) {
+    nlohmann::ordered_json more = json;
+    more["lists"][0]["low"][name] = 1001;  // more than rays
+    EXPECT_THROW((void)read_back(more), scene::InputError) << name;
+  }
+  json["lists"].push_back(json["lists"][0]);
   EXPECT_THROW((void)read_back(json), scene::InputError);
 }
 
