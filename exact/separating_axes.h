@@ -26,7 +26,7 @@ namespace gnomon::exact {
 
 /// The least and the greatest n.x over a set.
 template <class FT>
-struct Range {
+struct Extremes {
   FT least, most;
 };
 
@@ -65,7 +65,7 @@ class SeparatingAxes {
     return cross(edges_[i / 8], between_corners(i % 8));
   }
 
-  [[nodiscard]] Range<FT> of_shaft(const Vector<FT>& n) const {
+  [[nodiscard]] Extremes<FT> of_shaft(const Vector<FT>& n) const {
     FT least_a(0), least_b(0), most_a(0), most_b(0);
     for (std::size_t i = 0; i < 3; ++i) {
       const FT a0 = n[i] * a_[i], a1 = n[i] * a_[i + 3], b0 = n[i] * b_[i], b1 = n[i] * b_[i + 3];

@@ -201,7 +201,7 @@ class Decision {
         is_across = is_across && sign_of(dot(n, column)) == Sign::zero;
       if (!is_across) continue;
       const Exact at = dot(n, centre);
-      const Range<Exact> shaft = axes.of_shaft(n);
+      const Extremes<Exact> shaft = axes.of_shaft(n);
       if (sign_of(Exact(at - shaft.least)) == Sign::zero || sign_of(Exact(at - shaft.most)) == Sign::zero)
         return true;
     }

@@ -29,7 +29,7 @@ std::uint64_t refer(std::span<const scene::ShaftEllipsoidCase> cases, std::span<
 /// 0.
 [[nodiscard]] Gap gap(const scene::ShaftEllipsoidCase& c, Boundary boundary);
 
-/// An upper bound on |gap|, from intervals: infinity where they overflow.
+/// An upper bound on |gap|, from intervals: 1, the most that a gap can be, where they tell nothing.
 [[nodiscard]] double gap_bound(const scene::ShaftEllipsoidCase& c, Boundary boundary);
 
 /// The answer of the exact plane test after t has grown by `growth` >= 0 on all sides, exactly: every plane

@@ -32,7 +32,7 @@ class OrientedBody {
     points_[8] = centre_;
   }
 
-  [[nodiscard]] Range<FT> range(const Vector<FT>& n) const {
+  [[nodiscard]] Extremes<FT> range(const Vector<FT>& n) const {
     const FT middle = dot(n, centre_);
     FT reach(0);
     for (const Vector<FT>& u : edges_) reach += magnitude_of(dot(n, u));

@@ -44,9 +44,9 @@ class PolytopeCase {
   [[nodiscard]] std::size_t faces_and_axes() const { return axes_.faces_and_axes(); }
 
   /// The least and the greatest n.x + d over t, times kScale, for half-space i.
-  [[nodiscard]] Range<FT> beyond(std::size_t i) const {
+  [[nodiscard]] Extremes<FT> beyond(std::size_t i) const {
     const HalfSpace<FT>& h = half_spaces_.all()[i];
-    const Range<FT> t = body_.range(h.n);
+    const Extremes<FT> t = body_.range(h.n);
     return {FT(t.least + scale() * h.d), FT(t.most + scale() * h.d)};
   }
   [[nodiscard]] FT growth_of_half_space(std::size_t i) const {
@@ -54,8 +54,8 @@ class PolytopeCase {
   }
 
   /// Both distances between the ranges of n.x, times kScale.
-  [[nodiscard]] Range<FT> apart(const Vector<FT>& n) const {
-    const Range<FT> t = body_.range(n), s = axes_.of_shaft(n);
+  [[nodiscard]] Extremes<FT> apart(const Vector<FT>& n) const {
+    const Extremes<FT> t = body_.range(n), s = axes_.of_shaft(n);
     return {FT(t.least - scale() * s.most), FT(scale() * s.least - t.most)};
   }
   [[nodiscard]] Vector<FT> normal(std::size_t axis) const { return axes_.normal(axis); }
@@ -69,7 +69,7 @@ class PolytopeCase {
       nonzero |= sign == Sign::positive || sign == Sign::negative;
     }
     if (zero) return {};  // parallel edges: no axis
-    const Range<FT> distances = apart(n);
+    const Extremes<FT> distances = apart(n);
     const AxisSigns signs{sign_of(distances.least), sign_of(distances.most)};
     // The zero vector keeps nothing apart, so that positive means it is none; for the other signs it has to
     // be known.
@@ -178,7 +178,7 @@ std::uint64_t refer_polytopes(std::span<const Case> cases, std::span<VolumeRefer
 /// bounds of that maximum, for which normals that may be 0 are passed over: `crude` bounds what they could
 /// say.
 template <template <class> class Body, class FT, class Case>
-Range<FT> polytope_gap(const Case& c, Boundary boundary) {
+Extremes<FT> polytope_gap(const Case& c, Boundary boundary) {
   const PolytopeCase<Body, FT> polytope(c);
   std::optional<FT> most;
   const auto take = [&most](const FT& value) { most = most ? FT((CGAL::max)(*most, value)) : value; };
@@ -194,7 +194,7 @@ Range<FT> polytope_gap(const Case& c, Boundary boundary) {
       const Sign sign = sign_of(growth);
       passed_over |= sign == Sign::unknown;
       if (sign != Sign::positive) continue;
-      const Range<FT> apart = polytope.apart(n);
+      const Extremes<FT> apart = polytope.apart(n);
       take(FT(apart.least / growth));
       take(FT(apart.most / growth));
     }
@@ -218,7 +218,7 @@ CGAL::Gmpq outside_gap(const Case& c) {
         at_most.push_back(sign_of(growth) == Sign::zero ? -HUGE_VAL : HUGE_VAL);
         continue;
       }
-      const Range<Interval> apart = polytope.apart(n);
+      const Extremes<Interval> apart = polytope.apart(n);
       const Interval value = (CGAL::max)(apart.least, apart.most) / growth;
       at_most.push_back(std::isnan(value.sup()) ? HUGE_VAL : value.sup());
       most = std::fmax(most, value.inf());
@@ -230,7 +230,7 @@ CGAL::Gmpq outside_gap(const Case& c) {
     if (at_most[i] < most || at_most[i] == -HUGE_VAL) continue;
     const Vector<CGAL::Gmpq> n = polytope.normal(i);
     if (is_zero(n)) continue;
-    const Range<CGAL::Gmpq> apart = polytope.apart(n);
+    const Extremes<CGAL::Gmpq> apart = polytope.apart(n);
     const CGAL::Gmpq growth = PolytopeCase<Body, CGAL::Gmpq>::scale() * growth_of(n);
     const CGAL::Gmpq value = (std::max)(apart.least, apart.most) / growth;
     if (!gap || value > *gap) gap = value;
@@ -249,7 +249,7 @@ template <template <class> class Body, class Case>
 double polytope_gap_bound(const Case& c, Boundary boundary) {
   const Scaled<Case> scaled(c);
   const CGAL::Interval_nt<false>::Protector upward;
-  const Range<FilterKernel::FT> gap = polytope_gap<Body, FilterKernel::FT>(scaled.c, boundary);
+  const Extremes<FilterKernel::FT> gap = polytope_gap<Body, FilterKernel::FT>(scaled.c, boundary);
   double bound = magnitude_bound(gap.least);
   if (gap.most.sup() > 0) return HUGE_VAL;  // a normal that may be 0: no bound
   if (!(bound < HUGE_VAL)) bound = HUGE_VAL;
@@ -262,14 +262,14 @@ std::optional<scene::Category> grown_with(const Case& c, double growth) {
   const PolytopeCase<Body, FT> polytope(c);
   SignFold near, far;
   for (std::size_t i = 0; i < polytope.half_spaces(); ++i) {
-    const Range<FT> beyond = polytope.beyond(i);
+    const Extremes<FT> beyond = polytope.beyond(i);
     const FT by = FT(growth) * polytope.growth_of_half_space(i);
     near.add(sign_of(FT(beyond.least - by)));
     far.add(sign_of(FT(beyond.most + by)));
   }
   for (std::size_t i = 0; Body<FT>::kFacesInPlanes && i < polytope.faces(); ++i) {
     const Vector<FT> n = polytope.normal(i);
-    const Range<FT> apart = polytope.apart(n);
+    const Extremes<FT> apart = polytope.apart(n);
     const FT by = FT(growth) * PolytopeCase<Body, FT>::scale() * growth_of(n);
     near.add(sign_of(FT(apart.least - by)));
     near.add(sign_of(FT(apart.most - by)));

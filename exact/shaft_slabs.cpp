@@ -103,7 +103,7 @@ class SlabBody {
     }
   }
 
-  [[nodiscard]] Range<FT> range(const Vector<FT>& n) const {
+  [[nodiscard]] Extremes<FT> range(const Vector<FT>& n) const {
     std::optional<FT> least, most;
     for (const Basis& basis : kBases.all) {
       FT low(0), high(0);
@@ -127,7 +127,7 @@ class SlabBody {
   [[nodiscard]] Sign emptiness() const {
     SignFold fold;
     for (const Vector<FT>& n : normals_) {
-      const Range<FT> of_normal = range(n);
+      const Extremes<FT> of_normal = range(n);
       fold.add(sign_of(FT(of_normal.least - of_normal.most)));
     }
     return fold.any_positive ? Sign::positive : fold.any_unknown ? Sign::unknown : Sign::negative;
