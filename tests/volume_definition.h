@@ -6,66 +6,19 @@
 
 #include <gmpxx.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <vector>
 
 #include "scene/category.h"
 #include "scene/volume_case.h"
+#include "tests/exact_simplex.h"
 
 namespace gnomon::tests {
 
 using Q = mpq_class;
 using PointQ = std::array<Q, 3>;
-
-/// Is there an x >= 0 with A x = b? The simplex method, first phase, with Bland's rule: it ends, and exactly.
-inline bool has_solution(std::vector<std::vector<Q>> a, std::vector<Q> b) {
-  const std::size_t rows = a.size(), columns = a[0].size();
-  for (std::size_t i = 0; i < rows; ++i) {
-    if (b[i] < 0) {
-      b[i] = -b[i];
-      for (Q& x : a[i]) x = -x;
-    }
-  }
-  // Artificial variables, numbered from `columns`, are the first basis; their sum is to become 0.
-  std::vector<std::size_t> basis(rows);
-  for (std::size_t i = 0; i < rows; ++i) basis[i] = columns + i;
-  for (;;) {
-    std::size_t enters = columns;
-    for (std::size_t j = 0; j < columns && enters == columns; ++j) {
-      Q gain = 0;
-      for (std::size_t i = 0; i < rows; ++i) {
-        if (basis[i] >= columns) gain += a[i][j];
-      }
-      if (gain > 0) enters = j;
-    }
-    if (enters == columns) break;
-    std::size_t leaves = rows;
-    Q least;
-    for (std::size_t i = 0; i < rows; ++i) {
-      if (a[i][enters] <= 0) continue;
-      const Q ratio = b[i] / a[i][enters];
-      if (leaves == rows || ratio < least || (ratio == least && basis[i] < basis[leaves])) {
-        leaves = i;
-        least = ratio;
-      }
-    }
-    const Q pivot = a[leaves][enters];
-    for (Q& x : a[leaves]) x /= pivot;
-    b[leaves] /= pivot;
-    for (std::size_t i = 0; i < rows; ++i) {
-      if (i == leaves || a[i][enters] == 0) continue;
-      const Q factor = a[i][enters];
-      for (std::size_t j = 0; j < columns; ++j) a[i][j] -= factor * a[leaves][j];
-      b[i] -= factor * b[leaves];
-    }
-    basis[leaves] = enters;
-  }
-  for (std::size_t i = 0; i < rows; ++i) {
-    if (basis[i] >= columns && b[i] != 0) return false;
-  }
-  return true;
-}
 
 inline PointQ corner_of(const scene::Box<double>& box, std::size_t corner) {
   return {Q(box.c[corner & 1 ? 3 : 0]), Q(box.c[corner & 2 ? 4 : 1]), Q(box.c[corner & 4 ? 5 : 2])};
@@ -82,13 +35,14 @@ inline std::vector<PointQ> corners_of_hull(const scene::Box<double>& a, const sc
 /// Do the hulls of two sets of points have a common point?
 inline bool hulls_meet(const std::vector<PointQ>& p, const std::vector<PointQ>& q) {
   const std::size_t n = p.size() + q.size();
-  std::vector<std::vector<Q>> a(5, std::vector<Q>(n));
+  std::vector<ExactSimplex::Row> rows(5, ExactSimplex::Row(n + 1, 0));
   for (std::size_t j = 0; j < n; ++j) {
     const bool of_p = j < p.size();
-    for (std::size_t i = 0; i < 3; ++i) a[i][j] = of_p ? p[j][i] : Q(-q[j - p.size()][i]);
-    a[of_p ? 3 : 4][j] = 1;
+    for (std::size_t i = 0; i < 3; ++i) rows[i][j] = of_p ? p[j][i] : Q(-q[j - p.size()][i]);
+    rows[of_p ? 3 : 4][j] = 1;
   }
-  return has_solution(std::move(a), {0, 0, 0, 1, 1});
+  rows[3][n] = rows[4][n] = 1;
+  return ExactSimplex(std::move(rows)).feasible();
 }
 
 inline std::vector<PointQ> vertices_of(const scene::OrientedBox<double>& t) {
@@ -167,9 +121,9 @@ inline scene::Category truth_of(const scene::Box<double>& a, const scene::Box<do
   return scene::Category::inside;
 }
 
-/// The least |u|^2 over the hull of points u, by all its simplices of up to three corners; 0 is looked for
-/// first.
-inline Q least_square_of_hull(const std::vector<PointQ>& u) {
+/// The least |u|^2 over the hull of points u, by all its simplices of up to three corners, or of two when all
+/// lie in one plane through 0; 0 is looked for first.
+inline Q least_square_of_hull(const std::vector<PointQ>& u, bool in_plane_through_0 = false) {
   if (hulls_meet(u, {PointQ{}})) return 0;
   const auto dot = [](const PointQ& p, const PointQ& q) {
     return Q(p[0] * q[0] + p[1] * q[1] + p[2] * q[2]);
@@ -185,7 +139,7 @@ inline Q least_square_of_hull(const std::vector<PointQ>& u) {
       const Q ee = dot(e, e), ue = dot(u[i], e);
       if (ee == 0) continue;
       if (ue < 0 && -ue < ee) take(Q(dot(u[i], u[i]) - ue * ue / ee));
-      for (std::size_t k = 0; k < j; ++k) {
+      for (std::size_t k = 0; k < j && !in_plane_through_0; ++k) {
         const PointQ f{Q(u[k][0] - u[i][0]), Q(u[k][1] - u[i][1]), Q(u[k][2] - u[i][2])};
         const Q ff = dot(f, f), ef = dot(e, f), uf = dot(u[i], f), determinant = ee * ff - ef * ef;
         if (determinant == 0) continue;
@@ -216,6 +170,54 @@ inline std::optional<int> reach_sign(const scene::ShaftEllipsoidCase& c) {
     u.push_back(inverse);
   }
   return cmp(least_square_of_hull(u), Q(1));
+}
+
+/// How a flat ellipsoid, whose first two axes are independent and whose third one is 0 or the first again,
+/// lies to the shaft.
+struct FlatAnswer {
+  bool meets = false, touches = false;
+};
+
+/// Of the points where the segments between the hull's corners meet the ellipsoid's plane, which span what
+/// the plane has of the hull, the shortest u are taken. The ellipsoid can be freed by a hair when the least
+/// of them is 1, or when no corner lies beyond one side of the plane.
+inline FlatAnswer flat_answer(const scene::ShaftEllipsoidCase& c) {
+  const auto cross = [](const PointQ& p, const PointQ& q) {
+    return PointQ{Q(p[1] * q[2] - p[2] * q[1]), Q(p[2] * q[0] - p[0] * q[2]), Q(p[0] * q[1] - p[1] * q[0])};
+  };
+  const auto dot = [](const PointQ& p, const PointQ& q) {
+    return Q(p[0] * q[0] + p[1] * q[1] + p[2] * q[2]);
+  };
+  std::array<PointQ, 2> m;
+  for (std::size_t i = 0; i < 2; ++i) m[i] = {Q(c.t.axes[i][0]), Q(c.t.axes[i][1]), Q(c.t.axes[i][2])};
+  const bool twice = c.t.axes[2] == c.t.axes[0];
+  const PointQ n = cross(m[0], m[1]);
+  std::vector<PointQ> seen = corners_of_hull(c.a, c.b);
+  for (PointQ& p : seen) {
+    for (std::size_t i = 0; i < 3; ++i) p[i] -= Q(c.t.centre[i]);
+  }
+  std::vector<PointQ> u;
+  bool any_above = false, any_below = false;
+  for (const PointQ& p : seen) {
+    const Q above = dot(n, p);
+    any_above = any_above || above > 0;
+    any_below = any_below || above < 0;
+    for (const PointQ& q : seen) {
+      const Q below = dot(n, q);
+      if (above < 0 || below > 0) continue;
+      PointQ x = p;
+      if (above != below) {
+        for (std::size_t i = 0; i < 3; ++i) x[i] = (above * q[i] - below * p[i]) / (above - below);
+      }
+      const Q first = dot(cross(x, m[1]), n) / dot(n, n), second = dot(cross(m[0], x), n) / dot(n, n);
+      u.push_back({twice ? Q(first / 2) : first, second, twice ? Q(first / 2) : Q(0)});
+    }
+  }
+  std::sort(u.begin(), u.end());
+  u.erase(std::unique(u.begin(), u.end()), u.end());
+  if (u.empty()) return {};
+  const int against_1 = cmp(least_square_of_hull(u, true), Q(1));
+  return {against_1 <= 0, against_1 == 0 || (against_1 < 0 && !(any_above && any_below))};
 }
 
 }  // namespace gnomon::tests

@@ -15,13 +15,13 @@ using scene::ShaftEllipsoidCase;
 using scene::ShaftOrientedBoxCase;
 using scene::ShaftSlabsCase;
 
-const std::array<const char*, 9> kDistributions{"uniform",    "offset",          "integer-grid",
-                                                "near-touch", "nested",          "degenerate",
-                                                "thin",       "mixed-magnitude", "denormal"};
+const std::array<const char*, 10> kDistributions{"uniform",  "offset",     "integer-grid", "near-touch",
+                                                 "nested",   "degenerate", "thin",         "mixed-magnitude",
+                                                 "denormal", "huge"};
 
 int wanted_cases(int few) {
   const char* const more = std::getenv("GNOMON_REFERENCE_CASES");
-  return more == nullptr ? few : std::max(few, std::atoi(more) / 9);
+  return more == nullptr ? few : std::max(few, std::atoi(more) / 10);
 }
 
 /// Calls check(case) for some cases of each distribution and scalar.
@@ -120,6 +120,37 @@ TEST(VolumeReference, Ellipsoids) {
   for (const int count : counts) EXPECT_GE(count, 15);
   EXPECT_GE(missed_by_planes, 1);
   EXPECT_GE(singular, 3);
+}
+
+/// Singular ellipsoids of rank two, by their planes.
+TEST(VolumeReference, FlatEllipsoids) {
+  int flat = 0, meeting = 0, touching_across = 0;
+  for_cases<fuzz::ShaftEllipsoidQuestion>(5, [&](ShaftEllipsoidCase c) {
+    const bool twice = flat % 2 == 0;
+    c.t.axes[2] = twice ? c.t.axes[0] : std::array<double, 3>{0, 0, 0};
+    if (flat / 2 % 2 == 0) {  // in the plane of a side
+      const std::size_t across = static_cast<std::size_t>(flat / 4 % 3);
+      for (auto& axis : c.t.axes) axis[across] = 0;
+      c.t.centre[across] = std::max(c.a.c[across + 3], c.b.c[across + 3]);
+    }
+    const auto &x = c.t.axes[0], &y = c.t.axes[1];
+    bool independent = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      independent = independent || Q(x[i]) * Q(y[(i + 1) % 3]) != Q(x[(i + 1) % 3]) * Q(y[i]);
+    }
+    if (!independent) return;
+    ++flat;
+    const FlatAnswer expected = flat_answer(c);
+    const exact::VolumeReference r = reference_of(c);
+    EXPECT_EQ(r.truth != Category::outside, expected.meets);
+    EXPECT_EQ(r.touches_outside, expected.touches);
+    expect_consistent(c, r);
+    meeting += expected.meets;
+    touching_across += expected.touches && exact::gap(c, exact::Boundary::outside) != 0;
+  });
+  EXPECT_GE(meeting, 25);
+  EXPECT_GE(flat - meeting, 25);
+  EXPECT_GE(touching_across, 10);
 }
 
 /// A singular ellipsoid of rank one is the segment that an oriented box is; of rank zero both are points.
