@@ -48,8 +48,8 @@ bool over_s(const PatchPair& pair, const Corners& f, SharedCorners shared, Add&&
       .for_each(add);
 }
 
-/// An open segment between corners that crosses the face inside is one that both have, and so is an edge of
-/// the face that crosses a triangle of corners of both patches inside.
+/// Two ways to have a point in common for sure: an open segment between corners crosses the face inside, or
+/// an edge of the face crosses a triangle with corners of both patches inside.
 bool crosses_surely(const PatchPair& pair, const Corners& f) {
   using FT = FilterKernel::FT;
   const auto crosses = [](const Point& from, const Point& to, const Corners& v) {

@@ -39,10 +39,7 @@ bool is_between(const Six<FT>& v, const Vector<FT>& p) {
   });
 }
 
-/// Calls `visit` with the nearest point to c of every corner, edge and triangle of the six points that is
-/// orthogonal to its side of c: with the point's weights times w > 0 and their corners, and the squared
-/// distance times w as d. The nearest point of the hull is one of them unless c is an inner point: the hull's
-/// faces are made up of such triangles. `visit` returns true to stop.
+/// The mean of three corners with these weights, over w > 0; d is w times its squared distance to c.
 template <class FT>
 struct Foot {
   std::array<std::size_t, 3> corners{};
@@ -50,6 +47,9 @@ struct Foot {
   FT w, d;
 };
 
+/// Calls `visit` with the nearest point to c of every corner, edge and triangle of the six points that is
+/// orthogonal to its side of c. The nearest point of the hull is one of them unless c is an inner point: the
+/// hull's faces are made up of such triangles. `visit` returns true to stop.
 template <class FT, class Visit>
 void for_each_foot(const Six<FT>& v, const Vector<FT>& c, Visit&& visit) {
   const auto not_negative = [](const FT& x) { return !(x < FT(0)); };

@@ -174,11 +174,17 @@ std::uint64_t refer_polytopes(std::span<const Case> cases, std::span<VolumeRefer
   return in_exact_numbers;
 }
 
+/// A maximum over normals, without those that may be 0.
+template <class FT>
+struct GapOverNormals {
+  FT most;
+  bool passed_over;  ///< some normal may be 0, by intervals, and could say more
+};
+
 /// max over the shaft's sides and planes (inside), or over all separating axes (outside); for intervals the
-/// bounds of that maximum, for which normals that may be 0 are passed over: `crude` bounds what they could
-/// say.
+/// bounds of that maximum.
 template <template <class> class Body, class FT, class Case>
-Extremes<FT> polytope_gap(const Case& c, Boundary boundary) {
+GapOverNormals<FT> polytope_gap(const Case& c, Boundary boundary) {
   const PolytopeCase<Body, FT> polytope(c);
   std::optional<FT> most;
   const auto take = [&most](const FT& value) { most = most ? FT((CGAL::max)(*most, value)) : value; };
@@ -199,7 +205,7 @@ Extremes<FT> polytope_gap(const Case& c, Boundary boundary) {
       take(FT(apart.most / growth));
     }
   }
-  return {*most, FT(passed_over ? 1 : 0)};
+  return {*most, passed_over};
 }
 
 /// The maximum over the separating axes, in rationals for those alone that intervals see within reach of it.
@@ -242,16 +248,16 @@ template <template <class> class Body, class Case>
 Gap exact_polytope_gap(const Case& c, Boundary boundary) {
   const Scaled<Case> scaled(c);
   if (boundary == Boundary::outside) return scaled.gap_of_original(Gap(outside_gap<Body>(scaled.c).mpq()), 1);
-  return scaled.gap_of_original(Gap(polytope_gap<Body, CGAL::Gmpq>(scaled.c, boundary).least.mpq()), 1);
+  return scaled.gap_of_original(Gap(polytope_gap<Body, CGAL::Gmpq>(scaled.c, boundary).most.mpq()), 1);
 }
 
 template <template <class> class Body, class Case>
 double polytope_gap_bound(const Case& c, Boundary boundary) {
   const Scaled<Case> scaled(c);
   const CGAL::Interval_nt<false>::Protector upward;
-  const Extremes<FilterKernel::FT> gap = polytope_gap<Body, FilterKernel::FT>(scaled.c, boundary);
-  double bound = magnitude_bound(gap.least);
-  if (gap.most.sup() > 0) return HUGE_VAL;  // a normal that may be 0: no bound
+  const GapOverNormals<FilterKernel::FT> gap = polytope_gap<Body, FilterKernel::FT>(scaled.c, boundary);
+  double bound = magnitude_bound(gap.most);
+  if (gap.passed_over) return HUGE_VAL;
   if (!(bound < HUGE_VAL)) bound = HUGE_VAL;
   return scaled.bound_of_original(bound, 1);
 }
