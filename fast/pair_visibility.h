@@ -49,9 +49,11 @@ struct PairCounters {
   friend bool operator==(const PairCounters&, const PairCounters&) = default;
 };
 
-/// Memory that queries work in, and the faces that blocked last: one a thread. Answers do not depend on what
-/// it was used for before, except which of the faces that block all rays is noticed first. Nothing is
-/// allocated once it has seen the largest pair.
+/// Memory that queries work in, and the face that blocked last: one a thread. What it was used for before
+/// changes no certified or exact answer of a ray. It may change whether a face that blocks all rays is
+/// noticed (none or part), and which one; what is counted; and naive answers, where a ray that goes on by
+/// itself misses the box of a face that floats let it hit. Nothing is allocated once it has seen the largest
+/// pair.
 class PairScratch {
  public:
   PairScratch();

@@ -121,7 +121,13 @@ bool PairWalk<Tier>::test_triangle(ChildLink link, std::uint32_t lane, bool keep
   if (certain != 0) {
     any_candidate_ = true;
     scratch_.last_blocker = {link, lane};
-    if ((bits.certain & valid_) == valid_) blocks_all_ = block.face[lane];
+    std::uint32_t blocked = bits.certain;
+    // The kernel may have passed over vectors without live rays. What is noticed must not depend on their
+    // width; this happens at most once a tile.
+    if (certain == live_ && live_ != valid_ && hn::Lanes(RayFloats()) < kTileRays) {
+      blocked = rays_on_triangle<Tier::kCertified>(tile_, block, lane, valid_).certain;
+    }
+    if ((blocked & valid_) == valid_) blocks_all_ = block.face[lane];
     shadowed_ |= certain;
     live_ &= ~certain;
   }

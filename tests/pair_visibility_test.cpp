@@ -133,7 +133,9 @@ void check_case(const scene::Scene& scene, const PairCaster& caster, PairScratch
   caster.candidates(caster.prepare(c.from, c.own_from), caster.prepare(c.to, c.own_to), list);
   const Answers truth = truth_of(scene, c, list);
   Answers first_naive, first_certified;
+  PairResult first_result;
   for_each_target([&](const std::string& target) {
+    const bool is_first = first_naive.empty();
     Answers naive(c.rays(), ShadowAnswer{77}), certified = naive, exact = naive;
     (void)caster.shadows_naive(c.batch(), scratch, naive);
     check_result(caster.shadows_certified(c.batch(), scratch, certified), scene, c, truth);
@@ -144,7 +146,7 @@ void check_case(const scene::Scene& scene, const PairCaster& caster, PairScratch
       if (certified[i] == ShadowAnswer::undecided) continue;
       ASSERT_EQ(certified[i], truth[i]) << target << " " << i;
     }
-    if (first_naive.empty()) {
+    if (is_first) {
       first_naive = naive;
       first_certified = certified;
       ++tally.pairs;
@@ -160,10 +162,13 @@ void check_case(const scene::Scene& scene, const PairCaster& caster, PairScratch
     }
     ASSERT_EQ(naive, first_naive) << target;
     ASSERT_EQ(certified, first_certified) << target;
-    // The same from prepared patches and without a memory of blockers.
+    // The same from prepared patches and without a memory of blockers, which decides what is noticed.
     PairScratch fresh;
-    (void)caster.shadows_certified(caster.prepare(c.from, c.own_from), caster.prepare(c.to, c.own_to), fresh,
-                                   certified);
+    const PairResult alone = caster.shadows_certified(caster.prepare(c.from, c.own_from),
+                                                      caster.prepare(c.to, c.own_to), fresh, certified);
+    if (is_first) first_result = alone;
+    ASSERT_EQ(alone.visibility, first_result.visibility) << target;
+    ASSERT_EQ(alone.blocker, first_result.blocker) << target;
     for (std::size_t i = 0; i < truth.size(); ++i) {
       if (certified[i] == ShadowAnswer::undecided) continue;
       ASSERT_EQ(certified[i], truth[i]) << target << " " << i;
