@@ -13,9 +13,8 @@
 //     + 5 eta
 // which is below 6 u (P + D) + 5 w sum of M_i (|x_i| + |v_i|) + 2 eta sum of (|x_i| + |v_i|) + 6 eta. The
 // threshold is that at the largest |x_i| of the region, computed in doubles and rounded up. So a point in
-// front, N.(x
-// - v) > 0, has T > -threshold, and the corner of its box that is farthest in front has no smaller T, as
-// rounding is monotone: none_in_front() is never wrong; none_behind() likewise.
+// front, N.(x - v) > 0, has T > -threshold, and the corner of its box that is farthest in front has no
+// smaller T, as rounding is monotone: none_in_front() is never wrong; none_behind() likewise.
 //
 // Where all three corners share a coordinate, N has one component alone, n is exactly 1 or -1, and T is the
 // rounded difference of two floats, whose sign is exact: the threshold is 0.

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "fast/box_around.h"
 #include "fast/goldsmith_salmon.h"
 #include "fast/hierarchy_leaves.h"
 #include "fast/is_float.h"
@@ -63,12 +64,6 @@ void check_runs(std::span<const scene::FaceRun> runs, std::size_t triangles, std
     throw std::runtime_error("item tree: the primitives are not every face once");
 }
 
-scene::Box<float> box_of_points(std::span<const std::array<float, 3>> points) {
-  scene::Box<float> box{{points[0][0], points[0][1], points[0][2], points[0][0], points[0][1], points[0][2]}};
-  for (const auto& p : points) box = box_around(box, {{p[0], p[1], p[2], p[0], p[1], p[2]}});
-  return box;
-}
-
 /// The float not below x.
 float rounded_up(double x) {
   if (x > static_cast<double>(std::numeric_limits<float>::max())) return kInfinity;
@@ -110,9 +105,8 @@ ItemTree::ItemTree(const scene::Scene& scene, std::span<const scene::FaceRun> pr
       boxes.push_back({box_around_ball(scene.balls[run.first - triangles_.size()])});
       if (!is_valid(boxes.back())) throw std::runtime_error("item tree: a ball reaches beyond floats");
     } else {
-      scene::Box<float> box = box_of_points(triangles_[run.first]);
-      for (std::uint32_t i = 1; i < run.count; ++i)
-        box = box_around(box, box_of_points(triangles_[run.first + i]));
+      scene::Box<float> box = box_of(triangles_[run.first]);
+      for (std::uint32_t i = 1; i < run.count; ++i) box = box_around(box, box_of(triangles_[run.first + i]));
       boxes.push_back(box);
     }
   }

@@ -39,6 +39,8 @@ class ListBuilder {
  public:
   /// Keeps a reference to the tree. `convex`, one for each of the scene's objects, says which are convex
   /// exactly (exact::is_convex()), for back_faces: of these, closed one-sided bodies of triangles are solids.
+  /// Then the tree's primitives must be flat, exactly, and of one object each, as exact::polygons_of() has
+  /// them: the first triangle says for all of a primitive which way it faces.
   ListBuilder(const ItemTree& tree, const scene::Scene& scene, const ListOptions& options,
               std::span<const std::uint8_t> convex = {});
   explicit ListBuilder(ItemTree&&, const scene::Scene&, const ListOptions&) = delete;

@@ -5,16 +5,14 @@
 // Error bounds. u is the unit roundoff, eta half of the smallest denormal; N, D are the exact plane (times
 // its power of two), n, d the rounded one, a the point it goes through. With S = sum |N_j| (|c_j| + |a_j|),
 // at most two terms:
-//     v = n.c + d:  components of n, product, at most one sum within n.c, and the sum with d: four factors (1
-//     + e) on
-//                   either term, so |v - V| <= 4.0001 u S + 4 eta (1)
+//  - v = n.c + d: component of n, product, at most one sum within n.c, and the sum with d make four factors
+//    (1 + e) on either term: |v - V| <= 4.0001 u S + 4 eta (1).
 // With P = sum over axes i and components j of |N_j u_ij|:
-//     n.u_i:        component, product, one sum: within 3.0001 u of its share of P, + 2 eta each (2) boxes:
-//     h = sum |n.u_i|: two more sums: |h - H| <= 5.0001 u P + 6 eta                                (3)
-//     ellipsoids:   h = sqrt(sum (n.u_i)^2): by (2) the vector of the three is off by at most 3.0001 u P + 6
-//     eta; its
-//                   length by that much and 2.5001 u of itself, at most P, for squares, sums and root;
-//                   squares that vanish cost sqrt(3 eta): |h - H| <= 5.5001 u P + 6 eta + sqrt(3 eta) (4)
+//  - n.u_i: component, product, one sum: within 3.0001 u of its share of P, and 2 eta each (2).
+//  - Boxes, h = sum |n.u_i|: two more sums: |h - H| <= 5.0001 u P + 6 eta (3).
+//  - Ellipsoids, h = sqrt(sum (n.u_i)^2): by (2) the vector of the three is off by at most 3.0001 u P + 6
+//    eta; its length by that much and 2.5001 u of itself, at most P, for squares, sums and root; squares that
+//    vanish cost sqrt(3 eta): |h - H| <= 5.5001 u P + 6 eta + sqrt(3 eta) (4).
 // near = v - h and far = v + h add one rounding to both: within 6.5002 u (S + P) + 10 eta (+ sqrt(3 eta)).
 // S + P = sum |N_j| (|c_j| + sum |u_ij| + |a_j|) is computed as `sum` with at most eleven factors 1 - u on
 // each term, so that 7 u sum pays for it; what underflow takes from `sum` and from the product with 7 u is
