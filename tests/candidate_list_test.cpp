@@ -194,7 +194,7 @@ TEST(CandidateList, RatioOneIsOverlapOpen) {
                     by_half.build(c.receiver, 1, c.part);
                     others += c.part.items != c.list.items;
                   });
-  EXPECT_GT(volumes, least(50));
+  EXPECT_GT(volumes, kSanitized ? 0U : 50U);  // rare: no share of few trials is sure
   EXPECT_GT(items, least(1000));
   EXPECT_GT(others, least(100));
 }

@@ -206,6 +206,7 @@ TEST(PairVisibility, HardScenesAreAnsweredAsTheDefinitionSays) {
     total.none += tally.none;
   }
   EXPECT_GT(total.naive_wrong, 0);
+  if (kSanitized) return;  // too few cases for each kind of pair to be among them
   EXPECT_GT(total.all, 0);
   EXPECT_GT(total.none, 0);
 }
