@@ -6,8 +6,11 @@
 // terms add up to at most |N|_1 in each place, 3 |N|_1 B in all:
 //     |bound - exact| <= 6.0001 u (3 |N|_1 B + sum |N_j a_j|) + 7 eta (1)
 // Each single bound being that near, so are the least and the greatest of them: near and far value. 7 u pays
-// for computing the right side. Diagonals: the shaft's range is a sum of three coordinates, two sums; with
-// the difference to t's bound within 3.0001 u (B + sum |terms|) (2), for which 4 u pays.
+// for computing the right side. Diagonals: their weights are halves of small integers, at most |N|_1 = 3, so
+// that t's range has a product and two sums: within 3.0001 u 9 B + 3 eta; the shaft's is a sum of three
+// coordinates, two sums: within 2.0001 u M, M = sum |terms|. With their difference within 4.0002 u 9 B +
+// 3.0002 u M + 3 eta (2), for which 5 u (9 B + M) pays. The range is t's own, not what its bounds along this
+// diagonal say, which other slabs may cut: as that of all planes.
 #include "fast/shaft_slabs.h"
 
 #include <algorithm>
@@ -63,6 +66,22 @@ constexpr Table kTable = [] {
   return table;
 }();
 
+/// The weights of the diagonals, exact.
+template <class F>
+constexpr std::array<std::array<std::array<F, kSlabBases>, 3>, 4> kDiagonalWeights = [] {
+  std::array<std::array<std::array<F, kSlabBases>, 3>, 4> weights{};
+  for (std::size_t k = 0; k < 4; ++k) {
+    for (std::size_t place = 0; place < 3; ++place) {
+      for (std::size_t i = 0; i < kSlabBases; ++i) {
+        const Integers& halves = kTable.halves[place][i];
+        const Integers& n = kSlabNormals[k + 3];
+        weights[k][place][i] = F(0.5) * F(halves[0] * n[0] + halves[1] * n[1] + halves[2] * n[2]);
+      }
+    }
+  }
+  return weights;
+}();
+
 /// t's bounds in the order of the bases, and their greatest magnitude.
 template <class F>
 struct Bounds {
@@ -116,9 +135,9 @@ F error_of(const SupportPlane<F>& plane, F magnitude) {
 
 template <class F>
 F error_of_diagonal(const SlabShaft<F>& shaft, std::size_t k, F magnitude) {
-  const F sum = magnitude + shaft.magnitude[k];
+  const F sum = 9 * magnitude + shaft.magnitude[k];
   if (!(sum <= kLargestSafeSum<F>)) return std::numeric_limits<F>::infinity();
-  return 4 * Rounding<F>::u * sum;  // sums do not underflow
+  return 5 * Rounding<F>::u * sum + 64 * Rounding<F>::two_eta;
 }
 
 /// A point of t that surely is one: the middle of the axes' slabs, where it lies well within the diagonal
@@ -146,7 +165,8 @@ Banded classify_slabs(const SlabShaft<F>& shaft, const SlabSet<F>& t) {
   for (std::size_t k = 0; k < 4; ++k) {
     F error = 0;
     if constexpr (kCertified) error = error_of_diagonal(shaft, k, bounds.magnitude);
-    if (t.lo[k + 3] - shaft.most[k] > error || shaft.least[k] - t.hi[k + 3] > error) {
+    const Values<F> range = values_of(kDiagonalWeights<F>[k], bounds);
+    if (range.near - shaft.most[k] > error || shaft.least[k] - range.far > error) {
       return {Category::outside, true};
     }
   }

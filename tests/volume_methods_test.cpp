@@ -16,6 +16,7 @@
 #include "fuzz/witness.h"
 #include "reports/explain.h"
 #include "scene/input_error.h"
+#include "tests/shaft_random.h"
 #include "tests/volume_definition.h"
 
 namespace gnomon::tests {
@@ -63,6 +64,20 @@ TYPED_TEST(VolumeMethods, KeepTheirPromises) {
   EXPECT_GT(checked, 200u);
   EXPECT_GT(naive_unsound, 10u);
   for (const std::uint64_t count : truths) EXPECT_GT(count, options.trials);  // of about twenty times as many
+}
+
+/// A slab set's bound along a diagonal may be looser than what its other slabs leave: the test takes the
+/// range of the set, as its exact twin does. Rare: two of 20000 cases tell.
+TEST(SlabMethods, DiagonalsTakeTheRangeOfTheSet) {
+  fuzz::CampaignOptions options;
+  options.seed = 1;
+  options.trials = static_cast<std::uint64_t>(affordable(20000));
+  options.witnesses_per_row = 0;
+  options.methods = {"naive-f32"};
+  options.distributions = {"integer-grid"};
+  const fuzz::CampaignResult result = fuzz::run_campaign<fuzz::ShaftSlabsQuestion>(options);
+  ASSERT_EQ(result.rows.size(), 1u);
+  EXPECT_EQ(result.rows[0].rounding + result.rows[0].rounding_and_model, 0u);
 }
 
 TYPED_TEST(VolumeMethods, CasesAreTheirNumbers) {
