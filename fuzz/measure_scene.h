@@ -22,8 +22,8 @@ struct MeasureOptions {
   std::vector<const SceneMethod*> methods;    ///< rows
   std::vector<std::array<double, 3>> lights;  ///< instead of the scene's own, where there are any
   unsigned rounds = 5;                        ///< timed, after one that isn't
-  /// Candidate lists on progressive radiosity too, with these further rows; else none. Timed in a third of the
-  /// rounds: they take long.
+  /// Candidate lists on progressive radiosity too, with these further rows; else none. Timed in a third of
+  /// the rounds: they take long.
   std::optional<std::vector<ListSpec>> lists;
   bool chosen = false;  ///< methods were chosen by name: then none is left out for taking too long
 };
