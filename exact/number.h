@@ -10,6 +10,9 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
+
+#include "scene/category.h"
 
 namespace gnomon::exact {
 
@@ -58,6 +61,18 @@ struct SignFold {
     any_unknown |= sign == Sign::unknown;
   }
 };
+
+/// The category by the signs of how far the volume is apart from each plane and side, and of how far it
+/// reaches beyond it: outside when one is apart, inside when none is reached beyond. Nothing where a sign
+/// that matters is unknown.
+[[nodiscard]] inline std::optional<scene::Category> category_of(const SignFold& apart,
+                                                                const SignFold& beyond) {
+  if (apart.any_positive) return scene::Category::outside;
+  if (apart.any_unknown) return std::nullopt;
+  if (beyond.any_positive) return scene::Category::overlap;
+  if (beyond.any_unknown) return std::nullopt;
+  return scene::Category::inside;
+}
 
 /// Coordinates up to this size overflow no interval of ours (products of four, the most that a gap takes).
 inline constexpr double kLargestInIntervals = 1e70;

@@ -92,11 +92,7 @@ std::optional<Category> grown_with(const ShaftBallCase& c, double growth) {
     apart.any_positive |= side == Sign::positive && reach == Sign::positive;
     beyond.any_positive |= side == Sign::positive || reach == Sign::negative;
   }
-  if (apart.any_positive) return Category::outside;
-  if (apart.any_unknown) return std::nullopt;
-  if (beyond.any_positive) return Category::overlap;
-  if (beyond.any_unknown) return std::nullopt;
-  return Category::inside;
+  return category_of(apart, beyond);
 }
 
 }  // namespace

@@ -330,11 +330,7 @@ std::optional<Category> grown_with(const ShaftEllipsoidCase& c, double growth) {
     apart.add(apart_sign(FT(row.b + by), reach));
     beyond.add(beyond_sign(FT(row.b - by), reach));
   }
-  if (apart.any_positive) return Category::outside;
-  if (apart.any_unknown) return std::nullopt;
-  if (beyond.any_positive) return Category::overlap;
-  if (beyond.any_unknown) return std::nullopt;
-  return Category::inside;
+  return category_of(apart, beyond);
 }
 
 }  // namespace

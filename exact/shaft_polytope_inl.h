@@ -280,11 +280,7 @@ std::optional<scene::Category> grown_with(const Case& c, double growth) {
     near.add(sign_of(FT(apart.least - by)));
     near.add(sign_of(FT(apart.most - by)));
   }
-  if (near.any_positive) return scene::Category::outside;
-  if (near.any_unknown) return std::nullopt;
-  if (far.any_positive) return scene::Category::overlap;
-  if (far.any_unknown) return std::nullopt;
-  return scene::Category::inside;
+  return category_of(near, far);
 }
 
 template <template <class> class Body, class Case>
