@@ -84,9 +84,9 @@ std::string figures_html(std::span<const ListFigures> rows, const std::string& s
 }
 
 std::string options_html(std::span<const ListFigures> rows, const std::string& scene) {
-  constexpr const char* kTitles[] = {"Options",       "Samples",       "Tests a ray",
-                                     "Tests a shaft", "Items a list",  "ns a ray",
-                                     "ns a list",     "Wrong answers", "Lists lacking"};
+  constexpr const char* kTitles[] = {"Options",   "Samples",       "Tests a ray",  "Tests a shaft",
+                                     "of boxes",  "of planes",     "Items a list", "ns a ray",
+                                     "ns a list", "Wrong answers", "Lists lacking"};
   std::string body;
   for (const ListFigures& row : rows) {
     if (row.scene != scene || (row.table != "options" && row.table != "own")) continue;
@@ -98,6 +98,8 @@ std::string options_html(std::span<const ListFigures> rows, const std::string& s
       body += name_cell(row.name) + number_cell(k == 0 ? "1" : "4") +
               number_cell(fmt::format("{:.1f}", rate.tests())) +
               number_cell(fmt::format("{:.1f}", rate.of_shafts(rate.cull_tests))) +
+              number_cell(fmt::format("{:.1f}", rate.of_shafts(rate.comparisons))) +
+              number_cell(fmt::format("{:.1f}", rate.of_shafts(rate.planes))) +
               number_cell(fmt::format("{:.1f}", rate.of_shafts(rate.items))) + ns(rate.ray) + ns(rate.list) +
               count_cell(rate.wrong()) + count_cell(rate.lacking) + "</tr>\n";
     }

@@ -80,6 +80,8 @@ ListFigures figures_of(const fuzz::ListRow& row) {
                   c.cull.lists,
                   c.cull.volumes,
                   c.cull.items,
+                  c.cull.comparisons,
+                  c.cull.planes,
                   c.volumes,
                   c.below_volumes,
                   c.false_lit,

@@ -21,6 +21,7 @@ struct ListRate {
   std::uint64_t cache_tests = 0, cache_hits = 0;
   std::uint64_t uncached = 0, boxes = 0, objects = 0;   ///< rays that were cast, and their tests
   std::uint64_t shafts = 0, cull_tests = 0, items = 0;  ///< lists made, tests for them, items on them
+  std::uint64_t comparisons = 0, planes = 0;            ///< of these tests: with boxes, and planes evaluated
   std::uint64_t volumes = 0, below_volumes = 0;         ///< complex boxes on lists, primitives below
   std::uint64_t false_lit = 0, false_shadowed = 0;
   std::uint64_t checked = 0, lacking = 0, checked_faces = 0, excess_faces = 0;

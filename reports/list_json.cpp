@@ -28,6 +28,8 @@ constexpr Field kFields[] = {
     {"shafts", &ListRate::shafts},
     {"cull_tests", &ListRate::cull_tests},
     {"items", &ListRate::items},
+    {"comparisons", &ListRate::comparisons},
+    {"planes", &ListRate::planes},
     {"volumes", &ListRate::volumes},
     {"below_volumes", &ListRate::below_volumes},
     {"false_lit", &ListRate::false_lit},

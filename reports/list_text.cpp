@@ -72,9 +72,11 @@ std::string figures_text(std::span<const ListFigures> rows, std::string_view sce
 }
 
 std::string rate_text(const ListFigures& row, const ListRate& rate, const char* samples) {
-  return fmt::format("  {:<32}{:>8}{:>10.1f}{:>10.1f}{:>8.1f}{:>8.1f}{:>9.0f}{:>9.0f}{}\n", row.name, samples,
-                     rate.tests(), rate.of_shafts(rate.cull_tests), rate.of_shafts(rate.items),
-                     rate.rays_a_shaft(), rate.ray ? rate.ray->median : 0, rate.list ? rate.list->median : 0,
+  return fmt::format("  {:<32}{:>8}{:>10.1f}{:>10.1f}{:>8.1f}{:>8.1f}{:>8.1f}{:>8.1f}{:>9.0f}{:>9.0f}{}\n",
+                     row.name, samples, rate.tests(), rate.of_shafts(rate.cull_tests),
+                     rate.of_shafts(rate.comparisons), rate.of_shafts(rate.planes),
+                     rate.of_shafts(rate.items), rate.rays_a_shaft(), rate.ray ? rate.ray->median : 0,
+                     rate.list ? rate.list->median : 0,
                      errors_text({row.scene, row.table, row.name, row.setup, {rate}}));
 }
 
@@ -85,9 +87,9 @@ std::string rows_text(std::span<const ListFigures> rows, std::string_view scene,
   for (const ListFigures& row : rows) {
     if (row.scene != scene || row.table != table) continue;
     if (text.empty()) {
-      text = fmt::format("  {:<32}{:>8}{:>10}{:>10}{:>8}{:>8}{:>9}{:>9}{:>7}{:>9}{:>8}\n", title, "samples",
-                         "tests/ray", "culls/sh.", "items", "rays", "ns/ray", "ns/list", "wrong", "lacking",
-                         "excess");
+      text = fmt::format("  {:<32}{:>8}{:>10}{:>10}{:>8}{:>8}{:>8}{:>8}{:>9}{:>9}{:>7}{:>9}{:>8}\n", title,
+                         "samples", "tests/ray", "culls/sh.", "boxes", "planes", "items", "rays", "ns/ray",
+                         "ns/list", "wrong", "lacking", "excess");
     }
     for (std::size_t k = 0; k < row.rates.size(); ++k)
       text += rate_text(row, row.rates[k], k == 0 ? "1" : "4");
@@ -105,8 +107,8 @@ constexpr const char* kLegend =
     "from the exact ones, of all rays. lacking: lists\nwithout a face that may block, of a sample held "
     "against "
     "the exact candidates; excess: faces on these that miss the shaft.\nculls, items, rays: a shaft's tests "
-    "of "
-    "items, items on its list, uncached rays.\n";
+    "of items, items on its list, uncached rays; boxes, planes: of these tests, comparisons\nwith boxes and "
+    "planes evaluated.\n";
 
 }  // namespace
 
