@@ -97,8 +97,10 @@ HWY_INLINE LeafBits segment_balls(const BeamVectors& beam, const BallBlock& bloc
 /// The ray's balls at parameters up to `limit`, and where it enters them: at t0 - sqrt(h), h = G / d . d, or
 /// 0 from within; `leaving`: where it leaves them, at t0 + sqrt(h).
 ///
-/// t0 is off by at most 20 u |m|_m / |d|_m + 4 eta / d . d, h's root by 2.5 u of itself for d . d, 0.5 u each
-/// for the sum and the division, u for the root and one for the factor 1 -+ 8 u, besides what G's error does.
+/// t0 is off by at most 20 u |m|_m / |d|_m + 4 eta / d . d. The root of h is the quotient of two roots: h
+/// itself may be as large as 2^182 and as small as 2^-231 within the domain. It is off by 2.5 u of itself for
+/// d . d, 0.5 u for the sum, u for each root, the quotient and the factor 1 -+ 8 u, besides what G's error
+/// does.
 template <bool kCertified>
 HWY_INLINE LeafHits ray_balls(const BeamVectors& beam, const BallBlock& block, float limit, bool leaving) {
   const Floats d;
@@ -113,10 +115,11 @@ HWY_INLINE LeafHits ray_balls(const BeamVectors& beam, const BallBlock& block, f
       const V tiny = hn::Set(d, kParameterUnderflow);
       const V shift = hn::Add(hn::Mul(hn::Set(d, 20 * u), hn::Div(x.offset, beam.largest)),
                               hn::Add(hn::Div(tiny, x.dd), tiny));
-      const V most =
-          hn::Mul(hn::Sqrt(hn::Div(hn::Max(hn::Add(x.depth, x.error), zero), x.dd)), hn::Set(d, 1 + 8 * u));
-      const V least =
-          hn::Mul(hn::Sqrt(hn::Div(hn::Max(hn::Sub(x.depth, x.error), zero), x.dd)), hn::Set(d, 1 - 8 * u));
+      const auto root = [&](V square, float factor) {
+        return hn::Mul(hn::Div(hn::Sqrt(hn::Max(square, zero)), hn::Sqrt(x.dd)), hn::Set(d, factor));
+      };
+      const V most = root(hn::Add(x.depth, x.error), 1 + 8 * u);
+      const V least = root(hn::Sub(x.depth, x.error), 1 - 8 * u);
       // One more rounding of each end, of numbers no larger than these.
       const V slack = hn::Mul(hn::Set(d, 4 * u), hn::Add(hn::Abs(x.closest), hn::Add(most, shift)));
       const V before = hn::Sub(hn::Sub(x.closest, shift), slack),

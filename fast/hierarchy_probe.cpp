@@ -53,8 +53,9 @@ RayProbe taken_from(const LeafHits& hits) {
 RayProbe run_ray_triangles(const TriangleBlock& block, const Beam& beam) {
   return taken_from(ray_triangles<true>(BeamVectors(beam), block, std::numeric_limits<float>::infinity()));
 }
-RayProbe run_ray_balls(const BallBlock& block, const Beam& beam) {
-  return taken_from(ray_balls<true>(BeamVectors(beam), block, std::numeric_limits<float>::infinity(), false));
+RayProbe run_ray_balls(const BallBlock& block, const Beam& beam, bool leaving) {
+  return taken_from(
+      ray_balls<true>(BeamVectors(beam), block, std::numeric_limits<float>::infinity(), leaving));
 }
 
 std::uint32_t run_boxes(const WideNode& node, const Beam& beam, float end) {
@@ -101,8 +102,8 @@ BallProbe probe_balls(const BallBlock& block, const Beam& beam, float end) {
 RayProbe probe_ray(const TriangleBlock& block, const Beam& beam) {
   return HWY_DYNAMIC_DISPATCH(run_ray_triangles)(block, beam);
 }
-RayProbe probe_ray(const BallBlock& block, const Beam& beam) {
-  return HWY_DYNAMIC_DISPATCH(run_ray_balls)(block, beam);
+RayProbe probe_ray(const BallBlock& block, const Beam& beam, bool leaving) {
+  return HWY_DYNAMIC_DISPATCH(run_ray_balls)(block, beam, leaving);
 }
 
 std::uint32_t probe_boxes(const WideNode& node, const Beam& beam, float end) {

@@ -23,13 +23,14 @@ struct BallProbe {
 };
 [[nodiscard]] BallProbe probe_balls(const BallBlock& block, const Beam& beam, float end);
 
-/// What a ray without an end finds in a leaf: bits, and the parameters of lanes that are possible.
+/// What a ray without an end finds in a leaf: bits, and the parameters of lanes that are possible; `leaving`:
+/// where it leaves the balls, as it does its own.
 struct RayProbe {
   std::uint32_t certain, possible;
   Eight lo, hi;
 };
 [[nodiscard]] RayProbe probe_ray(const TriangleBlock& block, const Beam& beam);
-[[nodiscard]] RayProbe probe_ray(const BallBlock& block, const Beam& beam);
+[[nodiscard]] RayProbe probe_ray(const BallBlock& block, const Beam& beam, bool leaving = false);
 
 /// A bit for each child whose box is visited.
 [[nodiscard]] std::uint32_t probe_boxes(const WideNode& node, const Beam& beam, float end);

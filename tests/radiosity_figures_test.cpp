@@ -133,6 +133,8 @@ TEST(CommandLineRadiosity, RefusesWhatItDoesNotKnow) {
         {"--rays", "4"},
         {"--workload", "radiosity@5"},
         {"--shaft", "ratio=0.5"},
+        {"--checked-lists", "7"},
+        {"--workload", "radiosity", "--checked-lists", "0"},
         {"--workload", "radiosity", "--shaft", "ratio=2"},
         {"--workload", "radiosity", "--shaft", "ratio=0.5", "--variant", "moved"},
         {"--workload", "radiosity", "--shaft", "colour=on"}}) {
