@@ -96,9 +96,9 @@ bool ListBuilder::is_outside(const Solid& solid) const {
 // from the emitter, at a face whose front the emitter's point sees: at an edge or in the plane of a face, at
 // one of the neighbours. That face is not among those that have all of the emitter's box behind them or in
 // their plane. A receiver's point on the body, in front of whose polygon the emitter's points lie, is met by
-// no ray that also meets the body elsewhere. The emitter's box must keep off the body altogether:
-// from its inside, and from a point of its boundary, where the body stands on the emitter, rays leave through
-// faces that the box lies behind, and through no other.
+// no ray that also meets the body elsewhere. The emitter's box must keep off the body altogether: from its
+// inside, and from points of its boundary, where the body stands on the emitter, rays leave it by faces that
+// the box lies behind, and by no other.
 void ListBuilder::mark_back_faces() {
   for (const Solid& solid : solids_) {
     if (!is_outside(solid)) continue;

@@ -347,9 +347,10 @@ void measure_scene(const std::string& name, const scene::Scene& given, const Sce
   if (options.lists) {
     const std::string where = name + " candidate lists";
     std::vector<ListRow> rows =
-        measure_lists(name, single.scene, {*options.lists, (options.rounds + 2) / 3}, [&](double done) {
-          if (on_progress) on_progress(done, where);
-        });
+        measure_lists(name, single.scene, {*options.lists, (options.rounds + 2) / 3, options.checked_lists},
+                      [&](double done) {
+                        if (on_progress) on_progress(done, where);
+                      });
     if (rows.empty()) measurement.notes.push_back(where + " left out: no two polygons face each other");
     std::move(rows.begin(), rows.end(), std::back_inserter(measurement.lists));
   }

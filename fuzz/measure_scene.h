@@ -25,6 +25,8 @@ struct MeasureOptions {
   /// Candidate lists on progressive radiosity too, with these further rows; else none. Timed in a third of
   /// the rounds: they take long.
   std::optional<std::vector<ListSpec>> lists;
+  /// Lists that are held against the exact candidates, as ListMeasureOptions has it.
+  std::size_t checked_lists = ListMeasureOptions{}.checked_lists;
   bool chosen = false;  ///< methods were chosen by name: then none is left out for taking too long
 };
 

@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Runs every libFuzzer target for some seconds, two at a time: run_targets.sh SECONDS [BUILD_DIR].
+# FUZZ_SEED says where the search starts: always the same unless it is set, so that a failure can be had again.
 # Fails when a target crashes (its reproducer is kept and named) or ran fewer than 1000 inputs.
 set -eu
 
@@ -9,6 +10,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 targets=${2:-$here/../build/fuzz}/fuzz/targets
 work=$(mktemp -d)
 least=1000
+seed=${FUZZ_SEED:-1}
 
 run_one() {
   name=$1
@@ -16,8 +18,8 @@ run_one() {
   # Mesh readers' corpora are named by their formats. libFuzzer adds what it finds: to a copy.
   cp "$here/corpus/${name#read_}"/* "$work/$name/corpus/"
   status=0
-  TMPDIR="$work/$name" "$targets/${name}_fuzzer" -max_total_time="$seconds" -max_len=4096 -timeout=25 \
-    -rss_limit_mb=2048 -print_final_stats=1 -artifact_prefix="$work/$name/found/" "$work/$name/corpus" \
+  TMPDIR="$work/$name" "$targets/${name}_fuzzer" -max_total_time="$seconds" -seed="$seed" \
+    -max_len=4096 -timeout=25 -rss_limit_mb=2048 -print_final_stats=1 -artifact_prefix="$work/$name/found/" "$work/$name/corpus" \
     > "$work/$name/log" 2>&1 || status=$?
   echo "$status" > "$work/$name/status"
 }

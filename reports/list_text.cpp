@@ -30,7 +30,7 @@ std::string errors_text(const ListFigures& row) {
   const std::string share =
       faces > 0 ? fmt::format("{:.0f} %", 100 * static_cast<double>(excess) / static_cast<double>(faces))
                 : "-";
-  return fmt::format("{:>7}{:>9}{:>8}", wrong, lists, share);
+  return fmt::format("{:>7}{:>13}{:>8}", wrong, lists, share);
 }
 
 std::string table1_text(std::span<const ListFigures> rows, const ListFigures& first) {
@@ -38,7 +38,7 @@ std::string table1_text(std::span<const ListFigures> rows, const ListFigures& fi
   const ListRate &low = first.rates[0], &high = first.rates[1];
   std::string text = fmt::format(
       "\ncandidate lists on {}: 20 steps of progressive radiosity, {} rays with 1 sample an emitter, {} with "
-      "4\n  {:<18}{:>16}{:>16}{:>16}{:>7}{:>9}{:>8}",
+      "4\n  {:<18}{:>16}{:>16}{:>16}{:>7}{:>13}{:>8}",
       first.scene, low.rays, high.rays, "Table 1", "tests a ray", "ns a ray, low", "ns a ray, high", "wrong",
       "lacking", "excess");
   if (printed)
@@ -87,7 +87,7 @@ std::string rows_text(std::span<const ListFigures> rows, std::string_view scene,
   for (const ListFigures& row : rows) {
     if (row.scene != scene || row.table != table) continue;
     if (text.empty()) {
-      text = fmt::format("  {:<32}{:>8}{:>10}{:>10}{:>8}{:>8}{:>8}{:>8}{:>9}{:>9}{:>7}{:>9}{:>8}\n", title,
+      text = fmt::format("  {:<32}{:>8}{:>10}{:>10}{:>8}{:>8}{:>8}{:>8}{:>9}{:>9}{:>7}{:>13}{:>8}\n", title,
                          "samples", "tests/ray", "culls/sh.", "boxes", "planes", "items", "rays", "ns/ray",
                          "ns/list", "wrong", "lacking", "excess");
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -33,6 +34,7 @@ struct MeasureArguments {
   std::vector<std::string> scenes, lights, methods, workloads, variants;
   std::vector<std::size_t> rays;    // a pair, of radiosity
   std::vector<std::string> shafts;  // further rows of candidate lists
+  std::optional<std::size_t> checked_lists;
   std::string json;
   std::size_t queries = fuzz::WorkloadOptions{}.queries;
   std::uint64_t seed = fuzz::WorkloadOptions{}.seed;
@@ -108,6 +110,7 @@ std::string command_of(const MeasureArguments& arguments) {
   for (const std::string& method : arguments.methods) text += " --method " + method;
   for (const std::string& workload : arguments.workloads) text += " --workload " + workload;
   for (const std::string& shaft : arguments.shafts) text += " --shaft " + shaft;
+  if (arguments.checked_lists) text += " --checked-lists " + std::to_string(*arguments.checked_lists);
   if (names_radiosity(arguments)) {
     for (const std::size_t rays : arguments.rays) text += " --rays " + std::to_string(rays);
   }
@@ -122,15 +125,17 @@ int run_measure(MeasureArguments arguments) {
     arguments.scenes.assign(std::begin(kRadiosityScenes), std::end(kRadiosityScenes));
   }
   if (arguments.scenes.empty()) arguments.scenes.assign(std::begin(kDefaultScenes), std::end(kDefaultScenes));
-  for (const auto& [given, option] :
-       {std::pair{!arguments.rays.empty(), "--rays"}, {!arguments.shafts.empty(), "--shaft"}}) {
+  for (const auto& [given, option] : {std::pair{!arguments.rays.empty(), "--rays"},
+                                      {!arguments.shafts.empty(), "--shaft"},
+                                      {arguments.checked_lists.has_value(), "--checked-lists"}}) {
     if (given && !radiosity) {
       throw std::runtime_error(std::string(option) + ": expected --workload radiosity beside it, found none");
     }
   }
-  if (!arguments.shafts.empty() && !arguments.variants.empty() &&
+  if ((!arguments.shafts.empty() || arguments.checked_lists) && !arguments.variants.empty() &&
       std::find(arguments.variants.begin(), arguments.variants.end(), "given") == arguments.variants.end()) {
-    throw std::runtime_error("--shaft: expected the variant given, whose lists are made, found " +
+    throw std::runtime_error(std::string(arguments.shafts.empty() ? "--checked-lists" : "--shaft") +
+                             ": expected the variant given, whose lists are made, found " +
                              arguments.variants.front());
   }
   if (arguments.rays.empty()) arguments.rays = {16, 64, 400};
@@ -142,6 +147,7 @@ int run_measure(MeasureArguments arguments) {
   options.chosen = !arguments.methods.empty();
   options.rounds = arguments.rounds;
   options.workload = {arguments.queries, arguments.seed};
+  options.checked_lists = arguments.checked_lists.value_or(options.checked_lists);
   std::vector<fuzz::ListSpec> shafts;
   drop_repeats(arguments.shafts);
   for (const std::string& text : arguments.shafts) {
@@ -215,6 +221,10 @@ void add_measure_verb(CLI::App& app, std::function<int()>& run) {
       ->check(whole_number(1, 10000));
   several("--shaft", arguments->shafts,
           "NAME=VALUE,...: a further row of candidate lists with --workload radiosity (repeatable)");
+  verb->add_option("--checked-lists", arguments->checked_lists,
+                   "so many candidate lists a row and sampling rate are held against the exact candidates, "
+                   "evenly chosen; 200 without it, all with 1000000000")
+      ->check(whole_number(1, 1'000'000'000));
   several("--variant", arguments->variants,
           "given, moved, scaled-up or scaled-down (repeatable); without it hard and hard-rays are asked of "
           "all, the rest of the scene as given");
