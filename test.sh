@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # test.sh: installs what is missing, builds, and runs every test: release, sanitizers, fuzz targets, mutants.
-# Debian 12, as root or with sudo; about 27 minutes on two cores. On demand, not here: the presets tsan and coverage,
+# Debian 12, as root or with sudo; about 25 minutes on two cores. On demand, not here: the presets tsan and coverage,
 # and tests/mutants.py --all.
 #   FUZZ_SECONDS=60 FUZZ_SEED=2 ./test.sh      how long each fuzz target runs, and where its search starts
 set -euo pipefail
 cd "$(dirname "$0")"
-fuzz_seconds=${FUZZ_SECONDS:-25}
+fuzz_seconds=${FUZZ_SECONDS:-20}
 
 step() { printf '\n== %s (%d s so far)\n' "$1" "$SECONDS"; }
 
