@@ -19,7 +19,8 @@ run_one() {
   cp "$here/corpus/${name#read_}"/* "$work/$name/corpus/"
   status=0
   TMPDIR="$work/$name" "$targets/${name}_fuzzer" -max_total_time="$seconds" -seed="$seed" \
-    -max_len=4096 -timeout=25 -rss_limit_mb=2048 -print_final_stats=1 -artifact_prefix="$work/$name/found/" "$work/$name/corpus" \
+    -max_len=4096 -timeout=25 -rss_limit_mb=2048 -print_final_stats=1 \
+    -artifact_prefix="$work/$name/found/" "$work/$name/corpus" \
     > "$work/$name/log" 2>&1 || status=$?
   echo "$status" > "$work/$name/status"
 }
