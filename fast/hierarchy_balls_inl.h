@@ -98,7 +98,7 @@ HWY_INLINE LeafBits segment_balls(const BeamVectors& beam, const BallBlock& bloc
 /// 0 from within; `leaving`: where it leaves them, at t0 + sqrt(h).
 ///
 /// t0 is off by at most 20 u |m|_m / |d|_m + 4 eta / d . d. The root of h is the quotient of two roots: h
-/// itself may be as large as 2^182 and as small as 2^-231 within the domain. It is off by 2.5 u of itself for
+/// itself may be as large as 2^180 and as small as 2^-231 within the domain. It is off by 2.5 u of itself for
 /// d . d, 0.5 u for the sum, u for each root, the quotient and the factor 1 -+ 8 u, besides what G's error
 /// does.
 template <bool kCertified>

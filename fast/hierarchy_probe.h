@@ -23,13 +23,13 @@ struct BallProbe {
 };
 [[nodiscard]] BallProbe probe_balls(const BallBlock& block, const Beam& beam, float end);
 
-/// What a ray without an end finds in a leaf: bits, and the parameters of lanes that are possible; `leaving`:
-/// where it leaves the balls, as it does its own.
+/// What a ray without an end finds in a leaf: bits, and the parameters of lanes that are possible.
 struct RayProbe {
   std::uint32_t certain, possible;
   Eight lo, hi;
 };
 [[nodiscard]] RayProbe probe_ray(const TriangleBlock& block, const Beam& beam);
+/// `leaving`: the parameters at which it leaves the balls, as it does its own, not those at which it enters.
 [[nodiscard]] RayProbe probe_ray(const BallBlock& block, const Beam& beam, bool leaving = false);
 
 /// A bit for each child whose box is visited.

@@ -221,9 +221,10 @@ void add_measure_verb(CLI::App& app, std::function<int()>& run) {
       ->check(whole_number(1, 10000));
   several("--shaft", arguments->shafts,
           "NAME=VALUE,...: a further row of candidate lists with --workload radiosity (repeatable)");
-  verb->add_option("--checked-lists", arguments->checked_lists,
-                   "so many candidate lists a row and sampling rate are held against the exact candidates, "
-                   "evenly chosen; 200 without it, all with 1000000000")
+  verb->add_option(
+          "--checked-lists", arguments->checked_lists,
+          "at most so many candidate lists a row and sampling rate are held against the exact candidates, "
+          "evenly chosen; 200 without it, all with 1000000000")
       ->check(whole_number(1, 1'000'000'000));
   several("--variant", arguments->variants,
           "given, moved, scaled-up or scaled-down (repeatable); without it hard and hard-rays are asked of "

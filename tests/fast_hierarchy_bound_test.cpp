@@ -8,6 +8,7 @@
 #include "tests/batch_cases.h"
 #include "tests/fast_hierarchy_truth.h"
 #include "tests/hard_scenes.h"
+#include "tests/ray_beam.h"
 
 namespace gnomon::tests {
 
@@ -193,13 +194,7 @@ TEST(FastHierarchyBounds, RaysMeetFacesBetweenTheirParameters) {
     const fast::HierarchyArrays arrays = fast::build_hierarchy(scene);
     for (const auto& query : hard_queries(kind, scene, 55, affordable(200))) {
       const scene::RayQuery ray = ray_of(query);
-      fast::Beam beam;
-      for (std::size_t k = 0; k < 3; ++k) {
-        beam.origin[k] = static_cast<float>(ray.origin[k]);
-        beam.direction[k] = static_cast<float>(ray.direction[k]);
-      }
-      beam.measure();
-      beam.prepare<true>();
+      const fast::Beam beam = beam_of_ray(ray);
       const RationalPoint p = rational(ray.origin), d = rational(ray.direction);
       for (const fast::TriangleBlock& block : arrays.triangles) {
         const fast::RayProbe probe = fast::probe_ray(block, beam);

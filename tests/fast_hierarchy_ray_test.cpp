@@ -13,6 +13,7 @@
 #include "fast/hierarchy_leaves.h"
 #include "fast/hierarchy_probe.h"
 #include "tests/fast_hierarchy_truth.h"
+#include "tests/ray_beam.h"
 #include "tests/search_trials.h"
 
 namespace gnomon::tests {
@@ -61,18 +62,6 @@ Aim random_aim(Random& random) {
   for (std::size_t k = 0; k < 3; ++k) aim.target[k] = clamped_float(origin[k] + t * direction[k]);
   aim.off = any_magnitude(random, -149, 39);
   return aim;
-}
-
-fast::Beam beam_of(const scene::RayQuery& ray) {
-  fast::Beam beam;
-  for (std::size_t k = 0; k < 3; ++k) {
-    beam.origin[k] = static_cast<float>(ray.origin[k]);
-    beam.direction[k] = static_cast<float>(ray.direction[k]);
-  }
-  beam.measure();
-  beam.prepare<true>();
-  beam.leave_out_slow_axes();
-  return beam;
 }
 
 std::array<std::uint32_t, fast::kWidth> first_faces() {
@@ -135,7 +124,7 @@ TEST(FastHierarchyRays, EnterAndLeaveBallsBetweenTheirParametersAtAnyMagnitude) 
           {point_about(random, aim.target, off), std::abs(about(random, random.chance(50) ? 4 * off : off))});
     }
     const fast::BallBlock block = fast::make_ball_block(scene, first_faces());
-    const fast::Beam beam = beam_of(aim.ray);
+    const fast::Beam beam = beam_of_ray(aim.ray);
     const fast::RayProbe in = fast::probe_ray(block, beam), out = fast::probe_ray(block, beam, true);
     for (std::size_t lane = 0; lane < fast::kWidth; ++lane) {
       const BallOnLine truth(aim.ray, scene.balls[lane]);
@@ -182,7 +171,7 @@ TEST(FastHierarchyRays, MeetTrianglesBetweenTheirParametersAtAnyMagnitude) {
       scene.triangles.push_back({3 * k, 3 * k + 1, 3 * k + 2});
     }
     const fast::TriangleBlock block = fast::make_triangle_block(scene, first_faces());
-    const fast::RayProbe probe = fast::probe_ray(block, beam_of(aim.ray));
+    const fast::RayProbe probe = fast::probe_ray(block, beam_of_ray(aim.ray));
     const RationalPoint p = rational(aim.ray.origin), d = rational(aim.ray.direction);
     for (std::uint32_t lane = 0; lane < fast::kWidth; ++lane) {
       const auto t = on_triangle(scene, lane, p, d, false);

@@ -127,6 +127,26 @@ TEST(CommandLineRadiosity, MeasuresTellsWritesAndCompares) {
   EXPECT_NE(worse.out.find("lists s.nff table1 keep closed low"), std::string::npos) << worse.out;
 }
 
+TEST(CommandLineRadiosity, HoldsAsManyListsAgainstTheExactOnesAsItIsAsked) {
+  const Folder folder;
+  const auto checked_of = [&](const std::string& asked) {
+    const Outcome run = run_gnomon(
+        {"measure", "tetra:2", "--workload", "radiosity", "--rays", "4", "--queries", "50", "--rounds", "1",
+         "--method", "bvh-exact", "--variant", "given", "--checked-lists", asked, "--json", "m.json"},
+        folder.path());
+    EXPECT_EQ(run.status, 0) << run.err;
+    // The second row: the first is the baseline, which makes no lists.
+    const auto json = nlohmann::json::parse(tests::contents_of(folder / "m.json"));
+    const nlohmann::json& low = json.at("lists").at(1).at("low");
+    EXPECT_GT(low.at("shafts"), 20);
+    return std::pair(low.at("checked").get<int>(), low.at("shafts").get<int>());
+  };
+  const auto [few, lists] = checked_of("2");
+  EXPECT_GT(few, 0);
+  EXPECT_LE(few, 2);
+  EXPECT_EQ(checked_of("1000000000"), std::pair(lists, lists));
+}
+
 TEST(CommandLineRadiosity, RefusesWhatItDoesNotKnow) {
   for (const std::vector<std::string>& bad :
        {std::vector<std::string>{"--workload", "radiosity", "--rays", "5"},
